@@ -17,13 +17,13 @@ namespace {
 const char* const sine = R"("history": {"sine": {"frequency": "100 Hz", "cycles": 1}})";
 const char* const bar = R"({"bar": {"length": 120, "height": 1, "block_length": 1}})";
 const char* const mesh = R"({"grid": {"columns": 80, "rows": 6, "block_width": 1, "block_height": 1}})";
-const char* const steps = R"({"dt": "2e-4 s", "duration": "24 ms", "kinematics": "small"})";
+const char* const bar_steps = R"({"dt": "2e-4 s", "duration": "24 ms", "kinematics": "small"})";
 
 struct Parts {
   std::string blocks = bar;
   std::string loads = {};   // objects with commas between them
   std::string others = {};  // members of the scene, with a comma behind each
-  std::string steps = dda::steps;
+  std::string steps = bar_steps;
   std::string law = "cubic";
   double height = 0.5;  // m, at which the wave is looked at
   std::string joint = R"("bonded": true)";
@@ -145,7 +145,7 @@ TEST(PlaneWaveConditions, WeightThatActsAtOnceIsSaid) {
   EXPECT_EQ(why_not({.loads = left,
                      .others = weight + R"("supports": [{"edge": "right", "hold": "xy"}],)",
                      .steps = fmt::format(R"([{{"name": "rest", "integrator": "static", "kinematics": "small"}}, {}])",
-                                          steps)}),
+                                          bar_steps)}),
             "");
 }
 
@@ -224,7 +224,7 @@ TEST(PlaneWaveConditions, StressThatNothingBalancesIsSaid) {
     EXPECT_EQ(why_not({.blocks = blocks, .loads = left + both, .others = stress}), "");
   }
   const std::string settles = R"([{"name": "settle", "integrator": "static", "kinematics": "small"}, )";
-  EXPECT_EQ(why_not({.loads = left, .others = stress, .steps = settles + steps + "]"}), "");
+  EXPECT_EQ(why_not({.loads = left, .others = stress, .steps = settles + bar_steps + "]"}), "");
 }
 
 // A run with a lining of half a metre along a mesh missed figures by 8 % of speed and 19 % of amplitude, one with a
@@ -321,10 +321,10 @@ TEST(PlaneWaveConditions, BlocksThatBeginInMotionAreSaid) {
                  .loads = left,
                  .steps = steps};
   };
-  expect_said(moving("0.1", steps), "begin in motion");
-  EXPECT_EQ(why_not(moving("0", steps)), "");
+  expect_said(moving("0.1", bar_steps), "begin in motion");
+  EXPECT_EQ(why_not(moving("0", bar_steps)), "");
   const std::string rests = R"([{"name": "a", "integrator": "static", "kinematics": "small"}, )";
-  EXPECT_EQ(why_not(moving("0.1", rests + steps + "]")), "") << "a static stage keeps no motion";
+  EXPECT_EQ(why_not(moving("0.1", rests + bar_steps + "]")), "") << "a static stage keeps no motion";
 }
 
 // The tail of a sine opened a dry joint behind where it was looked at, and what that sent back came in time.

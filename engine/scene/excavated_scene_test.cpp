@@ -7,6 +7,7 @@
 
 #include "engine/scene/bad_scene_test_support.h"
 #include "engine/scene/scene.h"
+#include "engine/scene/scene_parts.h"
 
 namespace dda {
 namespace {
@@ -331,6 +332,33 @@ TEST(StressField, ThatSaysTooLittleOrTooMuchIsRefused) {
   level.replace(level.find(R"("gravity": 10)"), 13, R"("gravity": 0)");
   expect_sentence_for(level, {"stress_field.density", "gradient instead"});
   expect_sentence_for(scene_with(R"(, "loads": [{"edge": "top", "traction": "insitu"}])", ""), {"loads[0].traction"});
+}
+
+// Four blocks of 1 m on top of each other, from y = 0 up.
+std::vector<std::string> field_remarks(const std::string& field, const std::string& more = "") {
+  return parse_scene_parts(
+             R"({"dda": 1, "materials": {"m": {"density": 1, "young": 1, "poisson": 0}}, "blocks": [{"grid":
+    {"name": "wall", "columns": 1, "rows": 4, "block_width": 1, "block_height": 1}}], "steps": {"dt": 1, "duration": 1}, )" +
+                 more + R"("stress_field": )" + field + "}",
+             "scene.json")
+      .remarks;
+}
+
+TEST(StressFieldRemarks, OnASurfaceBelowAllBlocks) {
+  for (const char* field :
+       {R"({"surface": -300, "gradient": 1})", R"({"surface": 0.4, "layers": [{"gradient": 1}]})"}) {
+    const std::vector<std::string> remarks = field_remarks(field);
+    ASSERT_EQ(remarks.size(), 1U) << field;
+    EXPECT_NE(remarks[0].find("lies below the middles of all blocks"), std::string::npos);
+  }
+}
+
+TEST(StressFieldRemarks, OnNoOther) {
+  EXPECT_TRUE(field_remarks(R"({"surface": 300, "gradient": 1})").empty());
+  EXPECT_TRUE(field_remarks(R"({"surface": 0.6, "gradient": 1})").empty());  // a hill
+  EXPECT_TRUE(field_remarks(R"({"xx": 1})").empty());
+  const std::string of_their_own = R"("initial_fields": [{"x": [0], "y": [0, 4], "stress_yy": [[-1], [-1]]}], )";
+  EXPECT_TRUE(field_remarks(R"({"surface": -300, "gradient": 1})", of_their_own).empty());
 }
 
 }  // namespace

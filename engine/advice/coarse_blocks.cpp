@@ -8,14 +8,13 @@
 #include <iterator>
 #include <optional>
 
-#include "engine/model/step_choice.h"
+#include "engine/advice/followed_wave.h"
 
 namespace dda {
 namespace {
 
 constexpr std::size_t fewest_blocks = 8;      // of rock, and not a few bodies
 constexpr double fewest_in_a_wavelength = 3;  // masses and springs make it a sixth slower there
-constexpr double longest_step = 0.5;          // of a period: what longer ones pass over is told by unseen_loads.h
 
 bool is_rock(const Model& model, const ContactSet& contacts) {
   return model.blocks.size() >= fewest_blocks && contacts.interfaces.size() + 1 >= model.blocks.size();
@@ -39,9 +38,8 @@ std::vector<std::string> coarse_blocks(const Model& model, const ContactSet& con
   std::vector<std::string> remarks;
   if (!is_rock(model, contacts)) return remarks;
   for (const Stage& stage : model.stages) {
-    if (stage.integrator.is_static) continue;
-    const std::optional<FastestWave> wave = fastest_wave(model, stage, stage.dt);
-    if (!wave || wave->frequency * stage.dt > longest_step) continue;
+    const std::optional<FastestWave> wave = followed_wave(model, stage);
+    if (!wave) continue;
     const double in_a_wavelength = of_the_largest_in_a_wavelength(model, wave->frequency);
     if (in_a_wavelength < fewest_in_a_wavelength)
       remarks.push_back(

@@ -17,6 +17,7 @@
 #include "engine/advice/coarse_blocks.h"
 #include "engine/advice/fading_remarks.h"
 #include "engine/advice/far_coordinates.h"
+#include "engine/advice/followed_wave.h"
 #include "engine/advice/gap_remarks.h"
 #include "engine/advice/held_blocks_acted_on.h"
 #include "engine/advice/holding_remarks.h"
@@ -115,9 +116,8 @@ void remark_on_coarse_steps(const Model& model, const ContactSet& /*contacts*/, 
     return std::abs(errors.speed) <= speed && std::abs(errors.amplitude) <= amplitude;
   };
   for (const Stage& stage : model.stages) {
-    if (stage.integrator.is_static) continue;
-    const std::optional<FastestWave> wave = fastest_wave(model, stage, stage.dt);
-    if (!wave || wave->frequency * stage.dt > 0.5 || keeps(wave->errors, spoilt_speed, spoilt_amplitude)) continue;
+    const std::optional<FastestWave> wave = followed_wave(model, stage);
+    if (!wave || keeps(wave->errors, spoilt_speed, spoilt_amplitude)) continue;
     double dt = stage.dt;
     while (!keeps(fastest_wave(model, stage, dt)->errors, 0.01, 0.05)) dt /= 2;
     remarks.push_back(fmt::format(

@@ -12,9 +12,6 @@
 namespace dda {
 namespace {
 
-// Faces count as opposite within 25 degrees, as those of the voussoirs of an arch do.
-constexpr double opposite = 0.9;
-
 // A block is a piece of a beam when its area is at least this part of its width times its length along the axis, which
 // is taken from its centroid: twice the distance of that from the joint. Voussoirs have all of that, triangles three
 // quarters.
@@ -50,7 +47,7 @@ Piece fullest_piece(const Model& model, int block, const Vec2& normal) {
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Vec2 side = (corners[(i + 1) % corners.size()] - corners[i]).normalized();
     for (const Vec2& direction : {side, Vec2(side.unitOrthogonal())}) {
-      if (std::abs(direction.dot(normal)) < opposite) continue;
+      if (std::abs(direction.dot(normal)) < opposite_faces) continue;
       const Piece piece = piece_along(model, block, direction);
       if (piece.area_around() < clearly_less * fullest.area_around()) fullest = piece;
     }
@@ -115,7 +112,7 @@ double share_of_mesh(const Model& model, const Piece& piece, const HeldSides& si
   double left = 0, right = 0;
   for (const HeldSide& side : sides[static_cast<std::size_t>(block)]) {
     const double along = side.outward.dot(axis);
-    if (std::abs(along) >= opposite) {
+    if (std::abs(along) >= opposite_faces) {
       (along > 0 ? ahead : behind).add(side.length);
       continue;
     }
@@ -131,8 +128,7 @@ double share_of_mesh(const Model& model, const Piece& piece, const HeldSides& si
 
 // By how much half a block turns under a moment, 1/N per m of thickness.
 double flexibility(const Model& model, const Piece& piece) {
-  const double modulus = side_free_modulus(model.material_at_start(piece.block));
-  return piece.to_joint / (modulus * piece.width * piece.width * piece.width / 12);
+  return piece.to_joint / bending_of_section(model.material_at_start(piece.block), piece.width);
 }
 
 // Stiffness against half the difference of the normal gap between the ends of a joint, N/m per m of thickness.
@@ -190,6 +186,10 @@ HeldSides held_sides(const Model& model, const ContactSet& contacts) {
 }
 
 }  // namespace
+
+double bending_of_section(const Material& material, double width) {
+  return side_free_modulus(material) * width * width * width / 12;
+}
 
 void stiffen_rows(const Model& model, ContactSet& contacts) {
   const auto passes_stress = [](const InterfaceElement& element) { return element.law == InterfaceLaw::consistent; };

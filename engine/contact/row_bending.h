@@ -14,6 +14,13 @@
 
 namespace dda {
 
+// Faces of a block in a row count as opposite where their normals are within 25 degrees of each other (their cosine is
+// at least this), as those of the voussoirs of an arch are.
+inline constexpr double opposite_faces = 0.9;
+
+// E I of a section, N m per m of thickness.
+double bending_of_section(const Material& material, double width);
+
 // Gives the joints of such rows this stiffness, of half the difference of the normal gap between their ends: joints
 // whose blocks both have one joint at most on each of two opposite faces, none beside them, and a cross-section that
 // hardly changes. Distances and widths are those along each block's own axis, against which joints may lean, as those

@@ -1,18 +1,15 @@
 #include "engine/scene/row_end.h"
 
-#include <cmath>
 #include <cstddef>
 #include <set>
 
 #include "engine/contact/block_across.h"
-#include "engine/contact/cubic_law.h"
+#include "engine/contact/row_bending.h"
 
 namespace dda {
 namespace {
 
-// Faces count as opposite within 25 degrees, as in rows (engine/contact/row_bending), and what takes this part of a
-// width as all of it.
-constexpr double opposite = 0.9;
+// What takes this part of a width counts as all of it.
 constexpr double all_across = 0.9;
 
 // What lies beyond the side opposite to a held one: where the row goes on.
@@ -35,7 +32,7 @@ std::optional<Beyond> beyond(const Stretch& held, const GroundPlan& plan, const 
     const Vec2 outward = -(side.end - side.start).normalized().unitOrthogonal();  // outlines run counter-clockwise
     for (const Stretch& stretch : plan.stretches_along(side)) {
       if (stretch.block == held.block || stretch.inward.dot(outward) < 0) continue;
-      if (outward.dot(held.inward) < opposite) return std::nullopt;
+      if (outward.dot(held.inward) < opposite_faces) return std::nullopt;
       result.add(stretch);
     }
   }
@@ -52,7 +49,7 @@ std::optional<double> bending_of_row_end(const Stretch& held, const GroundPlan& 
   if (!rest || rest->blocks.size() != 1 || rest->length < all_across * width) return std::nullopt;
   const Vec2 middle = (held.from + held.to) / 2;
   const double distance = (block_of(model, held.block).moments.centroid - middle).dot(held.inward);
-  return side_free_modulus(model.material_of(held.block)) * width * width * width / 12 / distance;
+  return bending_of_section(model.material_of(held.block), width) / distance;
 }
 
 }  // namespace dda

@@ -1,7 +1,6 @@
 // What holds the ends of rows one block wide, against the bending of half a block.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <string>
 
 #include "engine/scene/scene.h"
@@ -19,25 +18,25 @@ Model wall_on(const std::string& support, int columns, int rows) {
       "scene.json");
 }
 
+// What of a small motion of its point a support holds.
+Vec2 held_of(const PointSupport& support, const Vec2& motion) {
+  if (!support.direction.isZero(0)) return support.direction.dot(motion) * support.direction;
+  return {support.holds_x ? motion.x() : 0, support.holds_y ? motion.y() : 0};
+}
+
 // The moment of what holds a point against a small turn about `centre`, N m per rad and m of thickness.
 double stiffness_against_turning(const Model& model, const Vec2& centre) {
   double sum = 0;
   for (const PointSupport& support : model.supports) {
     const Vec2 way(centre.y() - support.point.y(), support.point.x() - centre.x());
-    const Vec2 held = support.direction.isZero(0) ? Vec2(support.holds_x ? way.x() : 0, support.holds_y ? way.y() : 0)
-                                                  : Vec2(support.direction.dot(way) * support.direction);
-    sum += support.stiffness * held.squaredNorm();
+    sum += support.stiffness * held_of(support, way).squaredNorm();
   }
   return sum;
 }
 
 double stiffness_across(const Model& model, const Vec2& across) {
   double sum = 0;
-  for (const PointSupport& support : model.supports) {
-    const bool along_one = !support.direction.isZero(0);
-    const Vec2 held(support.holds_x ? across.x() : 0, support.holds_y ? across.y() : 0);
-    sum += support.stiffness * (along_one ? std::pow(support.direction.dot(across), 2) : held.squaredNorm());
-  }
+  for (const PointSupport& support : model.supports) sum += support.stiffness * held_of(support, across).squaredNorm();
   return sum;
 }
 

@@ -23,9 +23,10 @@ double bearable(const EndStrength& strength, const InterfaceState& state, std::s
   return strength.cohesion_now(state.residual[end]) + strength.friction_now(state.residual[end]) * pressure;
 }
 
-// What both ends may bear at any moment of a step.
+// What both ends may bear at any moment of a step in which one of them slips.
 double most_friction(const EndStrength& strength, const InterfaceState& before, const InterfaceState& after,
                      const InterfaceTrial& trial) {
+  if (before.slip == after.slip) return 0;
   double most = 0;
   for (const std::size_t end : {std::size_t{0}, std::size_t{1}})
     most += std::max({trial.capacity[end], bearable(strength, before, end), bearable(strength, after, end)});

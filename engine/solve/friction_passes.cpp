@@ -52,11 +52,11 @@ constexpr int free_passes = 4;
 // A step is solved for to this share of what is out of balance, or as far as the end of the iteration needs: all the
 // way when the pass before changed no piece. (1e-1 takes four times as many passes, 1e-2 a quarter more.)
 constexpr double step_tolerance = 1e-3;
+constexpr double last_step_margin = 0.1;
 
 // To this share where a problem asks for one way. (In 60 dry rocks that settle, two linear solvers found answers more
 // than 1e-6 of the motion apart in 19 at 1e-3, in 4 at 1e-6 and in 1 at 1e-10.)
 constexpr double step_tolerance_on_one_way = 1e-10;
-constexpr double last_step_margin = 0.1;
 
 // Passes for what is little beside the contacts' forces, on blocks that may be light, and how well they solve. (More of
 // them are for the next step of a stage that asks for balance.)

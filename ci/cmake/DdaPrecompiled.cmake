@@ -14,6 +14,10 @@ function(dda_header_set NAME)
   target_link_libraries(${NAME} PRIVATE dda_options Eigen3::Eigen fmt::fmt ${ARG_LINK})
   target_include_directories(${NAME} PRIVATE "${CMAKE_SOURCE_DIR}")
   target_precompile_headers(${NAME} PRIVATE ${ARG_HEADERS})
+  if(CMAKE_CXX_COMPILER_LAUNCHER)
+    set_target_properties(${NAME} PROPERTIES CXX_COMPILER_LAUNCHER
+      "${CMAKE_SOURCE_DIR}/ci/cmake/precompile;${CMAKE_CXX_COMPILER_LAUNCHER}")
+  endif()
   target_compile_options(${NAME} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
 endfunction()
 

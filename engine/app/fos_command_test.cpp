@@ -57,6 +57,26 @@ TEST_F(FosCommand, WritesTheSameWithOneJobAndWithTwo) {
   EXPECT_NEAR(nlohmann::json::parse(text("of 6/fos.json"))["factor_of_safety"].get<double>(), 2, 0.01);
 }
 
+// A ground that shakes is one at rest to the search, which says so, as of loads that come later.
+TEST_F(FosCommand, SaysWhatItDoesNotSee) {
+  nlohmann::json scene = nlohmann::json::parse(leaning_box);
+  write("still.json", scene.dump());
+  scene.erase("fixed");
+  scene["supports"] = {
+      {{"block", "ground"}, {"acceleration", {3, 0}}, {"history", {{"sine", {{"frequency", 2}, {"cycles", 3}}}}}}};
+  scene["loads"] = {{{"point", {1, 1}}, {"force", {1e3, 0}}, {"history", {{"sine", {{"frequency", 2}}}}}}};
+  write("shaken.json", scene.dump());
+  const Outcome shaken = call({"fos", path("shaken.json"), "--out", path("shaken")});
+  ASSERT_EQ(shaken.code, 0) << shaken.errors;
+  EXPECT_TRUE(contains(shaken.out, "not in it: what a load on \"box\" and 1 more changes after 0 s")) << shaken.out;
+  const Outcome still = call({"fos", path("still.json"), "--out", path("still")});
+  EXPECT_FALSE(contains(still.out, "not in it")) << still.out;
+  const auto report = [this](const std::string& of) { return nlohmann::json::parse(text(of + "/fos.json")); };
+  EXPECT_EQ(report("shaken")["factor_of_safety"], report("still")["factor_of_safety"]);
+  EXPECT_EQ(report("shaken")["not_seen"], (nlohmann::json{"a load on \"box\"", "the motion of \"ground\""}));
+  EXPECT_TRUE(report("still")["not_seen"].empty());
+}
+
 // Joints that only exist in small kinematics are looked at in these.
 TEST_F(FosCommand, FindsTheFactorOfProjectedJoints) {
   nlohmann::json scene = nlohmann::json::parse(leaning_box);

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "engine/app/block_sheet.h"
+#include "engine/app/unseen_by_fos.h"
 #include "engine/core/status.h"
 
 namespace dda {
@@ -85,7 +86,7 @@ std::string fos_text(const SafetyReport& report, const SafetyQuestion& question,
     text += fmt::format("  {} moves towards {:.1f} deg\n", block.name, direction_deg(moving[i].movement));
   }
   if (moving.size() > most) text += fmt::format("  and {} more\n", moving.size() - most);
-  return text;
+  return text + said_of_unseen(unseen_by_fos(model, question.time), question.time);
 }
 
 std::string fos_json(const SafetyReport& report, const SafetyQuestion& question, const Model& model) {
@@ -95,6 +96,7 @@ std::string fos_json(const SafetyReport& report, const SafetyQuestion& question,
             {"reason", report.failure.reason},
             {"most", question.most},
             {"time", question.time},
+            {"not_seen", unseen_by_fos(model, question.time)},
             {"trials", Json::array()},
             {"moving_blocks", Json::array()}};
   for (const SafetyTrial& trial : report.trials) json["trials"].push_back(trial_json(trial));

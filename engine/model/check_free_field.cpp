@@ -9,6 +9,7 @@
 #include "engine/model/check_parts.h"
 #include "engine/model/checks.h"
 #include "engine/model/free_field_side.h"
+#include "engine/model/held_motion.h"
 #include "engine/model/tolerance.h"
 
 namespace dda::model_checks {
@@ -77,7 +78,8 @@ void check_no_other_dashpots(const Model& model, const Item& item, const FreeFie
 void check_base(const Model& model, const Item& item, const FreeFieldSide& side) {
   const int held = held_base_of(model, side);
   if (held >= 0) {
-    if (model.held_blocks[static_cast<std::size_t>(held)].turn != 0)
+    const HeldMotions motions = motions_from(model, static_cast<std::size_t>(held));
+    if (std::ranges::any_of(motions, [](const HeldBlock& each) { return each.turn != 0; }))
       item.fail("edge", "on a held block that turns", "one that moves without turning");
     return;
   }

@@ -7,6 +7,7 @@
 #include "engine/geometry/segment.h"
 #include "engine/model/check_parts.h"
 #include "engine/model/checks.h"
+#include "engine/model/held_motion.h"
 #include "engine/model/tolerance.h"
 
 namespace dda::model_checks {
@@ -164,15 +165,18 @@ void check_supports(const Model& model) {
 }
 
 void check_held_blocks(const Model& model) {
+  for (std::size_t i = 0; i < model.held_blocks.size(); ++i)
+    check_held_block(model, Item("held_blocks", i), model.held_blocks[i]);
   std::vector<bool> seen(model.blocks.size(), false);
-  for (std::size_t i = 0; i < model.held_blocks.size(); ++i) {
-    const Item item("held_blocks", i);
-    check_held_block(model, item, model.held_blocks[i]);
-    const auto block = static_cast<std::size_t>(model.held_blocks[i].block);
-    if (seen[block])
+  std::size_t entry = 0;
+  for_each_held_block(model, [&](const HeldMotions& motions) {
+    const Item item("held_blocks", entry);
+    entry += motions.size();
+    const auto block = static_cast<std::size_t>(motions[0].block);
+    if (seen[block] || !add_up(motions))
       item.fail("block", fmt::format("\"{}\"", model.blocks[block].name), "a block that is not held already");
     seen[block] = true;
-  }
+  });
 }
 
 void check_viscous_edges(const Model& model) {

@@ -20,7 +20,8 @@ Vec2 head_of(const Model& model, const FreeFieldSide& side);
 int lowest_block(const Model& model, const FreeFieldSide& side);
 int highest_block(const Model& model, const FreeFieldSide& side);
 
-// Index into Model::held_blocks of what the side stands on: held and with the foot on its outline; -1 where none is.
+// Index into Model::held_blocks of what the side stands on, held and with the foot on its outline (the first entry of
+// that block); -1 where none is.
 int held_base_of(const Model& model, const FreeFieldSide& side);
 
 // Stretches of the underside and of the top of a side: of its lowest (highest) block, level with its foot (head).

@@ -82,7 +82,8 @@ struct PointSupport {
 };
 
 // A block held, or moved, as a rigid whole: exactly as prescribed whatever forces act on it. It belongs to the
-// surroundings: it has no inertia, and its motion does external work on the rest.
+// surroundings: it has no inertia, and its motion does external work on the rest. Several entries can move one block,
+// each with a history of its own: they follow each other in the list, and their motions add up (held_motion.h).
 struct HeldBlock {
   int block = 0;
   Vec2 amplitude = Vec2::Zero();  // m, m/s or m/s2 by `kind`, of the point `about`; times history

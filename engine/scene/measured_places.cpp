@@ -201,7 +201,10 @@ void MeasuredPlaces::take_held(const std::optional<Field>& name, Measurement& me
     if (meant(model_.supports[i].name)) measurement.supports.push_back(static_cast<int>(i));
   for (const HeldBlock& held : model_.held_blocks)
     if (meant(held.name)) measurement.blocks.push_back(held.block);
-  std::sort(measurement.blocks.begin(), measurement.blocks.end());
+  std::ranges::sort(measurement.blocks);
+  // A block that several entries move is one block.
+  const auto [first, last] = std::ranges::unique(measurement.blocks);
+  measurement.blocks.erase(first, last);
 }
 
 void MeasuredPlaces::place_between(const Field& field, Measurement& measurement) const {

@@ -5,6 +5,8 @@
 
 #include "engine/core/error.h"
 #include "engine/model/common_centroid.h"
+#include "engine/model/held_flags.h"
+#include "engine/model/held_motion.h"
 #include "engine/scene/places.h"
 #include "engine/scene/row_end.h"
 #include "engine/scene/sections.h"
@@ -136,23 +138,33 @@ void read_held_points(const Field& field, const GroundPlan& plan, RecordFiles& r
 
 // Whole blocks.
 
-std::vector<bool> held_already(const Model& model) {
-  std::vector<bool> held(model.blocks.size(), false);
-  for (const HeldBlock& each : model.held_blocks) held[static_cast<std::size_t>(each.block)] = true;
-  return held;
+// Behind the entries that the block has already, with which its motion adds up.
+void add_to_motions_of_block(const HeldBlock& held, const Field& name, Model& model) {
+  const auto is_of_block = [&](const HeldBlock& each) { return each.block == held.block; };
+  const auto first = std::ranges::find_if(model.held_blocks, is_of_block);
+  const auto end = std::find_if_not(first, model.held_blocks.end(), is_of_block);
+  std::vector<HeldBlock> motions(first, end);
+  motions.push_back(held);
+  if (!add_up(motions))
+    name.fail(
+        fmt::format("blocks that are not held already, as \"{}\" is: where several supports hold a block each has "
+                    "to move it, and one at most to turn it",
+                    model.blocks[static_cast<std::size_t>(held.block)].name));
+  model.held_blocks.insert(end, held);
 }
 
 void append_held(HeldBlock held, const std::vector<int>& blocks, const Field& name, Model& model) {
-  const std::vector<bool> already = held_already(model);
+  const std::vector<bool> already = held_flags(model);
   for (const int block : blocks) {
     const Block& own = model.blocks[static_cast<std::size_t>(block)];
-    if (already[static_cast<std::size_t>(block)])
-      name.fail("blocks that are not held already, as \"" + own.name + "\" is");
     if (!own.starts_at_rest())
       name.fail("blocks without initial velocity, spin and strain rate, as their motion is prescribed, and not \"" +
                 own.name + "\"");
     held.block = block;
-    model.held_blocks.push_back(held);
+    if (already[static_cast<std::size_t>(block)])
+      add_to_motions_of_block(held, name, model);
+    else
+      model.held_blocks.push_back(held);
   }
 }
 

@@ -60,6 +60,24 @@ TEST(Scene, WholeBlocksMoveAndTurnAboutTheirCommonCentroid) {
   EXPECT_TRUE(std::holds_alternative<SineCycles>(model.held_blocks[4].history));
 }
 
+// Each component of a record moves the base by a support of its own, of a block or of a group.
+TEST(Scene, SeveralMotionsOfABlockFollowEachOther) {
+  const RecordFolder folder;
+  const std::string record = R"("history": {"record": {"file": "records/quake.csv", "time": "t", "unit": "g", )";
+  const Model model = scene_with(R"("supports": [{"block": "wall", "acceleration": [1, 0], )" + record +
+                                     R"("value": "ax"}}}, {"block": "base", "spin": 0.1},
+      {"block": "wall", "acceleration": [0, 1], )" +
+                                     record + R"("value": "ay"}}}],
+      "measurements": [{"name": "held", "quantity": "reaction"}])",
+                                 folder.path());
+  ASSERT_EQ(model.held_blocks.size(), 9U);
+  for (std::size_t i = 0; i < 8; ++i) {
+    EXPECT_EQ(model.held_blocks[i].block, model.held_blocks[i / 2 * 2].block);
+    EXPECT_EQ(model.held_blocks[i].amplitude, i % 2 == 0 ? Vec2(1, 0) : Vec2(0, 1));
+  }
+  EXPECT_EQ(model.measurements[0].blocks, (std::vector<int>{0, 1, 2, 3, 4}));  // each once
+}
+
 TEST(Scene, ATurnMayStandAlone) {
   const Model model =
       scene_with(R"("supports": [{"block": "base", "rotation": "2 deg", "history": {"table": [[0, 0], [1, 1]]}}])");
@@ -275,6 +293,9 @@ const std::vector<BadPart> bad_parts = {
      {"fixed[0] is \"bse\"", "one of \"base\", \"wall\", \"wall 1.1\"", "perhaps \"base\""}},
     {"fixed twice", R"("fixed": ["base", "base"])", {"fixed[1] is \"base\"", "not held already"}},
     {"fixed and moved", R"("fixed": ["wall"], )" + support(R"("block": "wall 1.1")"), {"supports[0].block", "already"}},
+    {"turned twice",
+     R"("supports": [{"block": "base", "spin": 1}, {"block": "base", "rotation": 1}])",
+     {"supports[1].block is \"base\"", "not held already", "one at most to turn it"}},
     {"no place", support(R"("displacement": [1, 0])"), {"supports[0] is without a place"}},
     {"two motions",
      support(R"("block": "base", "displacement": [1, 0], "velocity": [1, 0])"),

@@ -138,16 +138,16 @@ void take_over_viscous_edges(const BlockSystem& before, const State& geometry, B
 
 // Held blocks go where they are told to go within the next step, however far that is.
 void expect_held_blocks_in_place(const BlockSystem& s) {
-  for (const HeldBlock& held : s.model.held_blocks) {
-    const auto block = static_cast<std::size_t>(held.block);
+  for_each_held_block(s.model, [&](const HeldMotions& motions) {
+    const auto block = static_cast<std::size_t>(motions[0].block);
     const Vec3 off =
-        prescribed_displacement(s.model, held, s.state.time).head<3>() - s.state.displacement[block].head<3>();
+        prescribed_displacement(s.model, motions, s.state.time).head<3>() - s.state.displacement[block].head<3>();
     if (off.head<2>().norm() > s.model.length_tolerance || std::abs(off(2)) > 1e-9)
       throw InputError("", fmt::format("the held block \"{}\"", s.model.blocks[block].name),
                        fmt::format("{:.3g} m and {:.3g} rad from where its motion has it at {:.6g} s",
                                    off.head<2>().norm(), std::abs(off(2)), s.state.time),
                        "a motion that goes on from where the block is");
-  }
+  });
 }
 
 void take_over_blocks(const BlockSystem& before, BlockSystem& s) {

@@ -12,6 +12,7 @@
 #include "engine/geometry/box.h"
 #include "engine/geometry/segment.h"
 #include "engine/model/free_field_side.h"
+#include "engine/model/held_motion.h"
 #include "engine/model/tolerance.h"
 
 namespace dda {
@@ -174,17 +175,20 @@ class Column {
 
   void stand_on_base() {
     const int held = held_base_of(whole_, side_);
-    if (held >= 0) stand_on_held_block(whole_.held_blocks[at(held)]);
+    if (held >= 0) stand_on_held_block(motions_from(whole_, at(held)));
     for (const int index : supports_at_foot(whole_, side_)) copy_support(whole_.supports[at(index)]);
   }
 
-  void stand_on_held_block(HeldBlock held) {
+  void stand_on_held_block(const HeldMotions& motions) {
     const Vec2 foot = foot_of(whole_, side_);
-    const Box box = bounding_box(whole_.blocks[at(held.block)].shape);
-    const int block = append_block(held.block, foot.y() - (box.upper - box.lower).y(), foot.y());
-    join(held.block, edge(0).block, block, lowest_, foot);
-    held.block = block;
-    model().held_blocks.push_back(std::move(held));
+    const int original = motions[0].block;
+    const Box box = bounding_box(whole_.blocks[at(original)].shape);
+    const int block = append_block(original, foot.y() - (box.upper - box.lower).y(), foot.y());
+    join(original, edge(0).block, block, lowest_, foot);
+    for (HeldBlock held : motions) {
+      held.block = block;
+      model().held_blocks.push_back(std::move(held));
+    }
   }
 
   // A point under the lowest block is there for half of the underside.

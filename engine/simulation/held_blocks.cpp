@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "engine/geometry/rotation.h"
-#include "engine/model/held_motion.h"
 
 namespace dda {
 namespace {
@@ -36,25 +35,29 @@ void add_turn(const MotionFactors& factors, const HeldBlock& held, const Vec2& d
   motion.acceleration(2) = spin_up;
 }
 
-Motion motion_by(const MotionFactors& factors, const Model& model, const HeldBlock& held) {
-  Motion motion;
-  if (!moves(held)) return motion;
-  motion.displacement.head<2>() = factors.displacement * held.amplitude;
-  motion.velocity.head<2>() = factors.velocity * held.amplitude;
-  motion.acceleration.head<2>() = factors.acceleration * held.amplitude;
+void add_motion(const MotionFactors& factors, const Model& model, const HeldBlock& held, Motion& motion) {
+  motion.displacement.head<2>() += factors.displacement * held.amplitude;
+  motion.velocity.head<2>() += factors.velocity * held.amplitude;
+  motion.acceleration.head<2>() += factors.acceleration * held.amplitude;
   if (held.turn != 0) add_turn(factors, held, model.blocks[at(held.block)].moments.centroid - held.about, motion);
-  return motion;
 }
 
-Motion motion_of(const Model& model, const HeldBlock& held, double time) {
-  return moves(held) ? motion_by(motion_at(held.kind, held.history, time), model, held) : Motion{};
+Motion motion_of(const Model& model, const HeldMotions& motions, double time) {
+  Motion sum;
+  for (const HeldBlock& held : motions)
+    if (moves(held)) add_motion(motion_at(held.kind, held.history, time), model, held, sum);
+  return sum;
 }
 
 // A block that turns goes by the angle in between.
-Vec6 displacement_of(const Model& model, const HeldBlock& held, const LoadTime& time) {
-  if (!moves(held)) return Vec6::Zero();
-  const auto factor = [&](double then) { return motion_at(held.kind, held.history, then).displacement; };
-  return motion_by({.displacement = time.of(factor)}, model, held).displacement;
+Vec6 displacement_of(const Model& model, const HeldMotions& motions, const LoadTime& time) {
+  Motion sum;
+  for (const HeldBlock& held : motions) {
+    if (!moves(held)) continue;
+    const auto factor = [&](double then) { return motion_at(held.kind, held.history, then).displacement; };
+    add_motion({.displacement = time.of(factor)}, model, held, sum);
+  }
+  return sum.displacement;
 }
 
 }  // namespace
@@ -62,12 +65,10 @@ Vec6 displacement_of(const Model& model, const HeldBlock& held, const LoadTime& 
 HeldUnknowns make_held_unknowns(const Model& model, const std::vector<bool>& absent) {
   HeldUnknowns unknowns;
   unknowns.place.assign(model.held_blocks.empty() ? 0 : model.blocks.size(), -1);
-  for (const HeldBlock& held : model.held_blocks) {
-    unknowns.place[at(held.block)] = static_cast<int>(unknowns.blocks.size());
-    unknowns.blocks.push_back(held.block);
-    unknowns.increments.emplace_back(Vec6::Zero());
-    unknowns.move = unknowns.move || moves(held);
-  }
+  for_each_held_block(model, [&](const HeldMotions& motions) {
+    hold_still(motions[0].block, model.blocks.size(), unknowns);
+    unknowns.move = unknowns.move || std::ranges::any_of(motions, moves);
+  });
   for (std::size_t i = 0; i < absent.size(); ++i)
     if (absent[i]) hold_still(static_cast<int>(i), absent.size(), unknowns);
   return unknowns;
@@ -86,49 +87,52 @@ int steps_of_motion(const Model& model, double start, double end, double most, d
   double smallest = std::numeric_limits<double>::infinity();
   for (const Block& block : model.blocks) smallest = std::min(smallest, std::sqrt(block.moments.area));
   double steps = 1;
-  for (const HeldBlock& held : model.held_blocks) {
-    if (!moves(held)) continue;
-    const double radius = extent_along(model.blocks[at(held.block)].shape.outer, Vec2::UnitX()) +
-                          extent_along(model.blocks[at(held.block)].shape.outer, Vec2::UnitY());
-    Vec6 before = motion_of(model, held, start).displacement;
+  for_each_held_block(model, [&](const HeldMotions& motions) {
+    if (!std::ranges::any_of(motions, moves)) return;
+    const Polygon& shape = model.blocks[at(motions[0].block)].shape;
+    const double radius = extent_along(shape.outer, Vec2::UnitX()) + extent_along(shape.outer, Vec2::UnitY());
+    Vec6 before = motion_of(model, motions, start).displacement;
     for (int look = 1; look <= looks; ++look) {
-      const Vec6 then = displacement_of(model, held, {start, end, static_cast<double>(look) / looks});
+      const Vec6 then = displacement_of(model, motions, {start, end, static_cast<double>(look) / looks});
       const Vec6 way = then - before;
       before = then;
       steps = std::max(steps, looks * (way.head<2>().norm() + radius * std::abs(way(2))) / (most * smallest));
       steps = std::max(steps, looks * std::abs(way(2)) / most_turn);
     }
-  }
+  });
   return static_cast<int>(std::ceil(std::min(steps, static_cast<double>(most_steps))));
 }
 
-Vec6 prescribed_displacement(const Model& model, const HeldBlock& held, double time) {
-  return motion_of(model, held, time).displacement;
+Vec6 prescribed_displacement(const Model& model, const HeldMotions& motions, double time) {
+  return motion_of(model, motions, time).displacement;
 }
 
 void aim(const Model& model, const State& state, const LoadTime& time, HeldUnknowns& held) {
-  for (std::size_t i = 0; i < model.held_blocks.size(); ++i) {
-    held.increments[i] = displacement_of(model, model.held_blocks[i], time) - state.displacement[at(held.blocks[i])];
-    held.increments[i].tail<3>().setZero();
-  }
+  std::size_t place = 0;
+  for_each_held_block(model, [&](const HeldMotions& motions) {
+    Vec6& increments = held.increments[place++];
+    increments = displacement_of(model, motions, time) - state.displacement[at(motions[0].block)];
+    increments.tail<3>().setZero();
+  });
 }
 
 bool held_blocks_stand_still_until(const Model& model, const State& state, double time) {
   constexpr double round_off = 1e-14;
-  for (const HeldBlock& held : model.held_blocks) {
-    const Vec6& now = state.displacement[at(held.block)];
-    const Vec6 then = motion_of(model, held, time).displacement;
-    if ((then - now).head<3>().norm() > round_off * now.head<3>().norm()) return false;
-  }
-  return true;
+  bool still = true;
+  for_each_held_block(model, [&](const HeldMotions& motions) {
+    const Vec6& now = state.displacement[at(motions[0].block)];
+    const Vec6 then = motion_of(model, motions, time).displacement;
+    still = still && (then - now).head<3>().norm() <= round_off * now.head<3>().norm();
+  });
+  return still;
 }
 
 void set_held_rates(const Model& model, State& state) {
-  for (const HeldBlock& held : model.held_blocks) {
-    const Motion motion = motion_of(model, held, state.time);
-    state.velocity[at(held.block)] = motion.velocity;
-    state.acceleration[at(held.block)] = motion.acceleration;
-  }
+  for_each_held_block(model, [&](const HeldMotions& motions) {
+    const Motion motion = motion_of(model, motions, state.time);
+    state.velocity[at(motions[0].block)] = motion.velocity;
+    state.acceleration[at(motions[0].block)] = motion.acceleration;
+  });
 }
 
 }  // namespace dda

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "engine/model/held_motion.h"
 #include "engine/model/model.h"
 #include "engine/model/state.h"
 #include "engine/simulation/load_time.h"
@@ -29,7 +30,7 @@ void aim(const Model& model, const State& state, const LoadTime& time, HeldUnkno
 int steps_of_motion(const Model& model, double start, double end, double most, double most_turn);
 
 // Displacement of the unknowns of a held block at `time`.
-Vec6 prescribed_displacement(const Model& model, const HeldBlock& held, double time);
+Vec6 prescribed_displacement(const Model& model, const HeldMotions& motions, double time);
 
 // True when the blocks are at `time` where they are now.
 bool held_blocks_stand_still_until(const Model& model, const State& state, double time);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -60,12 +61,24 @@ double least_share(const ReactionCurve& curve) {
   return least;
 }
 
-std::string table_row(const ReactionPoint& point, double pressure) {
+// What is round-off beside the largest motion of the curve: the wall that is still supported moves by some 1e-14 m.
+double round_off_in(const ReactionCurve& curve) {
+  double largest = 0;
+  for (const ReactionPoint& point : curve.points)
+    if (point.settles()) largest = std::max(largest, point.motion.largest);
+  return 1e-9 * largest;
+}
+
+std::string millimetres(double motion, double round_off) {
+  if (std::isnan(motion)) return fmt::format(" {:>10}", "-");
+  return fmt::format(" {:>10.4g}", std::abs(motion) < round_off ? 0.0 : 1e3 * motion);
+}
+
+std::string table_row(const ReactionPoint& point, double pressure, double round_off) {
   std::string row = fmt::format("{:>6.4g} {:>13.4g}", point.share, 1e-6 * point.share * pressure);
   if (!point.settles()) return row + "  does not come to rest\n";
-  row += fmt::format(" {:>10.4g}", 1e3 * point.motion.mean);
-  for (const double place : point.motion.places)
-    row += std::isnan(place) ? fmt::format(" {:>10}", "-") : fmt::format(" {:>10.4g}", 1e3 * place);
+  row += millimetres(point.motion.mean, round_off);
+  for (const double place : point.motion.places) row += millimetres(place, round_off);
   return row + "\n";
 }
 
@@ -114,7 +127,8 @@ std::string reaction_text(const ReactionCurve& curve, const std::string& opening
   text += fmt::format("{:>6} {:>13} {:>10}", "share", "pressure/MPa", "mean/mm");
   for (const std::string_view place : wall_place_names) text += fmt::format(" {:>10}", fmt::format("{}/mm", place));
   text += "\n";
-  for (const ReactionPoint& point : curve.points) text += table_row(point, curve.pressure);
+  const double round_off = round_off_in(curve);
+  for (const ReactionPoint& point : curve.points) text += table_row(point, curve.pressure, round_off);
   for (const std::string& remark : remarks_on(curve, model)) text += remark + "\n";
   return text;
 }

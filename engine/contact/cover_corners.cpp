@@ -63,12 +63,14 @@ int compare(double first, double second, double same) {
 }
 
 // Which of two covers keeps the blocks apart longer in the foreseen motion: 1 the first, -1 the second, 0 neither, as
-// far as round-off can tell. Covers that stay open do so longest, by their gap then; next those that close, by when;
-// last those that are closed, by their gap, and where that is the same by what the motion makes of it.
+// far as round-off can tell. Covers that stay open do so longest, by their gap then, and so do those along which the
+// blocks touch and go on touching: a block that falls flush beside another meets nothing of it, not its top. Next come
+// those that close, by when; last those that are closed, by their gap, and where that is the same by what the motion
+// makes of it.
 int compare_stay(const Cover& first, const Cover& second, double round_off) {
   const auto kind = [&](const Cover& cover) {
-    if (cover.contact.gap <= round_off) return 0;
-    return cover.coming_gap < 0 ? 1 : 2;
+    if (cover.contact.gap > round_off) return cover.coming_gap < 0 ? 1 : 2;
+    return std::min(cover.contact.gap, cover.coming_gap) >= -round_off ? 2 : 0;
   };
   const auto closes_at = [](const Cover& cover) { return cover.contact.gap / (cover.contact.gap - cover.coming_gap); };
   if (kind(first) != kind(second)) return kind(first) > kind(second) ? 1 : -1;
@@ -124,8 +126,14 @@ void ask(Question goes, const Outlines& outlines, double round_off, const std::v
   for (Cover* cover : out) cover->counts = false;
 }
 
-bool is_asked(const CoverEnd& end, double round_off) {
+bool has_come_to(const CoverEnd& end, double round_off) {
   return is_at(end, round_off) && end.cover->corner == end.vertex;
+}
+
+// The foreseen motion leads the vertex past this end before it closes the gap: it will not meet the edge there.
+bool is_missed(const CoverEnd& end, double round_off) {
+  const bool is_first = end.vertex == end.cover->contact.edge;
+  return end.gap() > round_off && end.cover->met_past[is_first ? 0 : 1] >= -round_off;
 }
 
 bool makes_a_reflex_corner(const CoverEnd& end, std::span<const CoverEnd> corner) {
@@ -136,20 +144,23 @@ bool makes_a_reflex_corner(const CoverEnd& end, std::span<const CoverEnd> corner
 // Its end is passed, and a cover in line goes on there.
 bool is_followed(const Outlines& /*outlines*/, const CoverEnd& end, double round_off,
                  std::span<const CoverEnd> corner) {
-  if (end.cover->beyond <= 0 || !is_asked(end, round_off) || makes_a_reflex_corner(end, corner)) return false;
+  if (end.cover->beyond <= 0 || !has_come_to(end, round_off) || makes_a_reflex_corner(end, corner)) return false;
   return std::ranges::any_of(corner, [&](const CoverEnd& other) {
-    return other.cover != end.cover && other.cover->counts && other.cover->beyond <= 0 && are_parallel(other, end);
+    return other.cover != end.cover && other.cover->counts && other.cover->beyond <= 0 && are_parallel(other, end) &&
+           !is_missed(other, round_off);
   });
 }
 
 // Another cover keeps the blocks apart longer. Of two in line that do so as long one goes, others count both.
 bool is_outlasted(const Outlines& outlines, const CoverEnd& end, double round_off, std::span<const CoverEnd> corner) {
-  if (!is_asked(end, round_off) || makes_a_reflex_corner(end, corner)) return false;
+  const bool is_here = has_come_to(end, round_off);
+  if ((!is_here && !is_missed(end, round_off)) || makes_a_reflex_corner(end, corner)) return false;
   if (end.gap() < -round_off) return true;
   return std::ranges::any_of(corner, [&](const CoverEnd& other) {
     if (other.cover == end.cover || !other.cover->counts || !other.is_near()) return false;
     const int longer = compare_stay(*other.cover, *end.cover, round_off);
-    return longer > 0 || (longer == 0 && are_parallel(other, end) && goes_before(outlines, other, end, round_off));
+    const bool is_one = is_here && longer == 0 && are_parallel(other, end);
+    return longer > 0 || (is_one && goes_before(outlines, other, end, round_off));
   });
 }
 

@@ -50,13 +50,17 @@ class Side {
     const Vec2 normal = Vec2(along.y(), -along.x()) / length;
     if (!faces(vertex, normal)) return;
     const bool at_end = beyond >= -round_off_ && beyond <= std::max(round_off_, entrance_slack * std::abs(gap));
-    const double coming = normal.dot(outlines_.coming[at(vertex)] - coming_of(edge, place / length));
-    found.push_back({{edge_block_, vertex_block_, edge, vertex, normal, gap},
-                     at_end ? 0 : beyond,
-                     place < length / 2 ? edge : outlines_.next[at(edge)],
-                     gap + coming,
-                     beyond,
-                     true});
+    const Vec2 motion = outlines_.coming[at(vertex)] - coming_of(edge, place / length);
+    Cover cover{.contact = {edge_block_, vertex_block_, edge, vertex, normal, gap},
+                .beyond = at_end ? 0 : beyond,
+                .corner = place < length / 2 ? edge : outlines_.next[at(edge)],
+                .coming_gap = gap + normal.dot(motion),
+                .past = beyond};
+    if (gap > 0 && cover.coming_gap < 0) {
+      const double met = place + gap / (gap - cover.coming_gap) * motion.dot(along) / length;
+      cover.met_past = {-met, met - length};
+    }
+    found.push_back(cover);
   }
 
   // The displacement to come of the point at this share of the edge's length, or of the end beyond which it lies, m.

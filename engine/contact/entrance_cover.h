@@ -9,6 +9,7 @@
 // on the outline lie within the entrance block: real_overlap.h and cover_corners.h tell.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "engine/contact/outlines.h"
@@ -23,7 +24,10 @@ struct Cover {
   int corner = 0;  // that end: a vertex of the edge's block
   double coming_gap = 0;  // m, after the motion that is foreseen
   double past = 0;        // m, what `beyond` is before feet near the end count as at it
-  bool counts = true;     // as a contact
+  // m, by which the foot lies past the first and the last end of the edge at the moment at which the motion that is
+  // foreseen closes the gap, and far below 0 where it closes none.
+  std::array<double, 2> met_past = {-1e300, -1e300};
+  bool counts = true;  // as a contact
 };
 
 // Sine of the angle by which a vertex' own edges may dip below the edge it rests on: contacts of blocks that lie flat

@@ -124,6 +124,41 @@ TEST(VertexContact, CornerOnCornerMeetsBothFaces) {
 
 // A box stands on a step, its side in line with the step's riser. Round-off of what was drawn lets the two lines cross,
 // and behind the line of the upper tread is the box by the height of the riser: it has not come in through that tread.
+// A box above another, flush with its side, comes down past it: it goes on touching the side and meets no top. Where it
+// comes down a little askew, over the other, its top is what it meets.
+TEST(VertexContact, ABoxThatFallsFlushBesideAnotherMeetsItsSide) {
+  for (const double apart : {0.0, 1e-16, 5e-10, -5e-10}) {
+    Outlines outlines = outlines_of({box(-1, 0, 1, 1), box(apart, 1.01, 1, 1)});
+    for (const double aside : {0.0, -1e-4}) {
+      for (int vertex = 4; vertex < 8; ++vertex) outlines.coming[static_cast<std::size_t>(vertex)] = {aside, -0.02};
+      const std::vector<VertexContact> found = contacts_of(outlines);
+      ASSERT_FALSE(found.empty());
+      for (const VertexContact& contact : found)
+        EXPECT_NEAR(std::abs(contact.normal.x()), aside == 0 ? 1 : 0, 1e-12) << apart << " " << aside;
+    }
+  }
+}
+
+// A hexagon that falls past a corner with its widest place: the edge below that corner closes in the step and has gone
+// past its end by then. Where the widest place is over the other box, that edge is met.
+TEST(VertexContact, AHexagonThatFallsPastACornerMeetsItsSide) {
+  for (const double apart : {1e-6, 1e-9, 0.0, -1e-4}) {
+    const double left = apart, half = 0.5, side = 0.2;
+    const Polygon hexagon{{{left, 1.005},
+                           {left + side, 1.005 - half},
+                           {left + 2 * side, 1.005 - half},
+                           {left + 3 * side, 1.005},
+                           {left + 2 * side, 1.005 + half},
+                           {left + side, 1.005 + half}},
+                          {}};
+    Outlines outlines = outlines_of({box(-1, 0, 1, 1), hexagon});
+    for (std::size_t vertex = 4; vertex < 10; ++vertex) outlines.coming[vertex] = {0, -0.02};
+    const std::vector<VertexContact> found = contacts_of(outlines);
+    ASSERT_EQ(found.size(), 1U) << apart;
+    EXPECT_NEAR(std::abs(found[0].normal.x()), apart < -1e-8 ? 0.5 / std::hypot(0.5, 0.2) : 1, 1e-12) << apart;
+  }
+}
+
 TEST(VertexContact, FacesInLineThatCrossByRoundOffAreNotAWayIn) {
   for (const double riser : {0.02, 0.05, 0.09}) {
     const Polygon step{{{-1, -2}, {2, -2}, {2, riser}, {1, riser}, {1, 0}, {-1, 0}}, {}};

@@ -332,7 +332,7 @@ TEST(HeldBlocks, BadOnes) {
     EXPECT_ANY_THROW(finish_model(model));
   };
   refused([](Model& m) { m.held_blocks[0].block = 3; });
-  refused([](Model& m) { m.held_blocks.push_back(m.held_blocks[0]); });
+  refused([](Model& m) { m.held_blocks.emplace_back(); });  // held, and moved
   refused([](Model& m) { m.blocks[0].initial_spin = 1; });
   refused([](Model& m) { m.held_blocks[0].turn = 1; });  // small kinematics
   refused([](Model& m) { m.viscous_edges = {{0, {0, 0}, {0, 0.8}, 1, 1}}; });

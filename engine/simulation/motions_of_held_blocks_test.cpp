@@ -70,7 +70,7 @@ TEST(SummedMotions, SuperposeInTheRockThatTheyShake) {
 
 // Columns beside a free field stand on a base of their own, which all histories of the base move.
 TEST(SummedMotions, MoveTheColumnsOfFreeFields) {
-  Model model = free_field::shaken_grid(bond(InterfaceLaw::consistent));
+  Model model = free_field::shaken_grid(bond(InterfaceLaw::classical));
   const HeldBlock both = model.held_blocks[0];
   model.held_blocks = {both, both};
   model.held_blocks[0].amplitude.y() = 0;

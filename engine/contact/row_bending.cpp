@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <vector>
 
 #include "engine/contact/block_across.h"
@@ -126,9 +127,45 @@ double share_of_mesh(const Model& model, const Piece& piece, const HeldSides& si
   return std::min(1.0, 2 * std::max({left, right, ahead.split(), behind.split()}));
 }
 
-// By how much half a block turns under a moment, 1/N per m of thickness.
-double flexibility(const Model& model, const Piece& piece) {
+// By how much half a block of a row turns under a moment, 1/N per m of thickness.
+double flexibility_in_row(const Model& model, const Piece& piece) {
   return piece.to_joint / bending_of_section(model.material_at_start(piece.block), piece.width);
+}
+
+// By how much a block of a mesh gives way to a moment where a row grows out of it, 1/N per m of thickness. A stretch l
+// of the edge of a half plane turns by 16.67/pi M/(E l^2) (O'Donnell 1960). Blocks turn against their neighbours
+// besides, those as wide as the row by nearly half of that, so that 3 is left, which is half of what half a block of a
+// row has; large blocks hardly turn, and all of it is left.
+double flexibility_at_root(const Model& model, const Piece& piece, double length) {
+  constexpr double wide = 16.67 / std::numbers::pi;
+  constexpr double as_wide_as_the_row = 3;
+  const double part = std::min(1.0, length / piece.width);
+  const double turn = std::lerp(wide, as_wide_as_the_row, part * part);
+  return turn / (side_free_modulus(model.material_at_start(piece.block)) * length * length);
+}
+
+// A block beside a joint.
+struct Half {
+  Piece piece;
+  double row;  // from 0, a part of a mesh, to 1, a piece of a row
+};
+
+// A row that grows out of a mesh or turns a corner bends at its root in the joint there alone, as between two of its
+// own blocks. So the block that is most of a row decides, and the other one bends as far as it is as much of a row.
+struct Bend {
+  double share;  // from 0, as in a mesh, to 1
+  double turn;   // of both blocks under a moment, 1/N per m of thickness
+};
+
+Bend bend_of(const Model& model, const std::vector<Half>& halves, double length) {
+  double most = 0;
+  for (const Half& half : halves) most = std::max(most, half.row);
+  if (most <= 0) return {0, 0};
+  double turn = 0;
+  for (const Half& half : halves)
+    turn += std::lerp(flexibility_at_root(model, half.piece, length), flexibility_in_row(model, half.piece),
+                      half.row / most);
+  return {halves.size() == 2 ? most * most : most, turn};
 }
 
 // Stiffness against half the difference of the normal gap between the ends of a joint, N/m per m of thickness.
@@ -202,17 +239,17 @@ void stiffen_rows(const Model& model, ContactSet& contacts) {
     if (!may_bend(joint_of(model, interface), elements[i])) continue;
     const auto is_held = [&](int block) -> bool { return held[static_cast<std::size_t>(block)]; };
     if (is_held(interface.block_a) && is_held(interface.block_b)) continue;
-    double share = 1, turn = 0;  // held blocks are rigid
+    std::vector<Half> halves;  // held blocks are rigid
     for (const int block : {interface.block_a, interface.block_b}) {
-      if (share <= 0 || is_held(block)) continue;
+      if (is_held(block)) continue;
       const Piece piece = piece_at(model, interface, block);
-      share *= 1 - share_of_mesh(model, piece, sides, held);
-      turn += flexibility(model, piece);
+      halves.push_back({piece, 1 - share_of_mesh(model, piece, sides, held)});
     }
-    if (share > 0) share *= 1 - tie_across(model, interface.block_a, interface.block_b, sides);
-    if (share <= 0) continue;
+    Bend bend = bend_of(model, halves, interface.length);
+    if (bend.share > 0) bend.share *= 1 - tie_across(model, interface.block_a, interface.block_b, sides);
+    if (bend.share <= 0) continue;
     const double of_mesh = elements[i].stiffness(3);  // both differences have the same there
-    elements[i].stiffness(2) = std::lerp(of_mesh, bending_stiffness(interface, turn), share);
+    elements[i].stiffness(2) = std::lerp(of_mesh, bending_stiffness(interface, bend.turn), bend.share);
     contacts.states[i].force(2) =
         elements[i].stiffness(2) * contacts.states[i].gap(2) + elements[i].by_loads(2) - elements[i].force_at_start(2);
   }

@@ -26,6 +26,9 @@ double bending_of_section(const Material& material, double width);
 // hardly changes. Distances and widths are those along each block's own axis, against which joints may lean, as those
 // of a ring of voussoirs do. Held blocks are rigid, whatever touches them.
 //
+// One of the two blocks is enough: where a row grows out of a mesh, meets another row or turns a corner its moment
+// passes through the joint at its root alone. There the other block gives way as the edge of a half plane does.
+//
 // Between such a row and a mesh, which has that of `stabilisation`, the stiffness goes over as neighbours at the sides
 // grow: a thin layer glued along a beam leaves it nearly what it is, and what hangs at one block of it alone all of
 // that. A block that holds both blocks of a joint bears moments in place of the joint.

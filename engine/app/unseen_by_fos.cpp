@@ -54,9 +54,8 @@ std::string said_of_unseen(const std::vector<std::string>& unseen, double time) 
   if (unseen.empty()) return "";
   const std::string more = unseen.size() > 1 ? fmt::format(" and {} more", unseen.size() - 1) : "";
   return fmt::format(
-      "not in it: what {}{} changes after {:.6g} s; the factor is that of rest under the loads of that moment (a "
-      "steady "
-      "acceleration k g of the ground, as of a seismic coefficient k, is a \"gravity\" that leans: [-k g, -g])\n",
+      "not in it: what {}{} changes after {:.6g} s; the factor is that of rest under the loads of that moment\n"
+      "  (a steady acceleration k g of the ground, as of a seismic coefficient k, is a \"gravity\" of [-k g, -g])\n",
       unseen.front(), more, time);
 }
 

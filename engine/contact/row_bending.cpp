@@ -1,9 +1,11 @@
 #include "engine/contact/row_bending.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <span>
 #include <vector>
 
 #include "engine/contact/block_across.h"
@@ -24,10 +26,10 @@ double width_along(const Model& model, int block, const Vec2& normal) {
 
 // A block as a piece of a beam that runs through a joint.
 struct Piece {
-  int block;
-  Vec2 axis;             // of the beam
-  double width, length;  // m, across and along it
-  double to_joint = 0;   // m, of the centroid from the middle of the joint, along the axis
+  int block = -1;
+  Vec2 axis = Vec2::Zero();      // of the beam
+  double width = 0, length = 0;  // m, across and along it
+  double to_joint = 0;           // m, of the centroid from the middle of the joint, along the axis
 
   [[nodiscard]] double area_around() const { return width * length; }
 };
@@ -147,7 +149,7 @@ double flexibility_at_root(const Model& model, const Piece& piece, double length
 // A block beside a joint.
 struct Half {
   Piece piece;
-  double row;  // from 0, a part of a mesh, to 1, a piece of a row
+  double row = 0;  // from 0, a part of a mesh, to 1, a piece of a row
 };
 
 // A row that grows out of a mesh or turns a corner bends at its root in the joint there alone, as between two of its
@@ -157,7 +159,7 @@ struct Bend {
   double turn;   // of both blocks under a moment, 1/N per m of thickness
 };
 
-Bend bend_of(const Model& model, const std::vector<Half>& halves, double length) {
+Bend bend_of(const Model& model, std::span<const Half> halves, double length) {
   double most = 0;
   for (const Half& half : halves) most = std::max(most, half.row);
   if (most <= 0) return {0, 0};
@@ -239,13 +241,14 @@ void stiffen_rows(const Model& model, ContactSet& contacts) {
     if (!may_bend(joint_of(model, interface), elements[i])) continue;
     const auto is_held = [&](int block) -> bool { return held[static_cast<std::size_t>(block)]; };
     if (is_held(interface.block_a) && is_held(interface.block_b)) continue;
-    std::vector<Half> halves;  // held blocks are rigid
+    std::array<Half, 2> halves;
+    std::size_t count = 0;  // held blocks are rigid
     for (const int block : {interface.block_a, interface.block_b}) {
       if (is_held(block)) continue;
       const Piece piece = piece_at(model, interface, block);
-      halves.push_back({piece, 1 - share_of_mesh(model, piece, sides, held)});
+      halves[count++] = {piece, 1 - share_of_mesh(model, piece, sides, held)};
     }
-    Bend bend = bend_of(model, halves, interface.length);
+    Bend bend = bend_of(model, std::span(halves).first(count), interface.length);
     if (bend.share > 0) bend.share *= 1 - tie_across(model, interface.block_a, interface.block_b, sides);
     if (bend.share <= 0) continue;
     const double of_mesh = elements[i].stiffness(3);  // both differences have the same there

@@ -24,7 +24,7 @@
 #include "engine/geometry/box.h"
 #include "engine/linear/cholesky_solver.h"
 #include "engine/model/free_field_side.h"
-#include "engine/model/held_motion.h"
+#include "engine/model/held_flags.h"
 #include "engine/model/law_name.h"
 #include "engine/model/rock_change.h"
 #include "engine/model/step_choice.h"
@@ -165,18 +165,13 @@ void add_linings(const Model& model, Text& text) {
                               : ", elastic");
 }
 
-std::size_t number_of_held_blocks(const Model& model) {
-  std::size_t number = 0;
-  for_each_held_block(model, [&](const HeldMotions&) { ++number; });
-  return number;
-}
-
 void add_what_acts(const Model& model, Text& text) {
   text.line("loads", "{}, {}, gravity [{:.6g}, {:.6g}] m/s2", count(model.point_loads.size(), "point load"),
             count(model.edge_loads.size(), "edge load"), model.gravity.x(), model.gravity.y());
   for (const std::string& line : describe_recordings(model)) text.line("record", "{}", line);
   text.line("held by", "{}, {}, {}", count(model.supports.size(), "point support"),
-            count(number_of_held_blocks(model), "whole block"), count(model.viscous_edges.size(), "absorbing edge"));
+            count(static_cast<std::size_t>(std::ranges::count(held_flags(model), true)), "whole block"),
+            count(model.viscous_edges.size(), "absorbing edge"));
   if (!model.bolts.empty()) add_bolts(model, text);
   add_linings(model, text);
   for (const Measurement& measurement : model.measurements) text.line("measured", "{}", describe(model, measurement));

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <vector>
 
 #include "engine/contact/outlines.h"
@@ -25,8 +26,8 @@ struct Cover {
   double coming_gap = 0;  // m, after the motion that is foreseen
   double past = 0;        // m, what `beyond` is before feet near the end count as at it
   // m, by which the foot lies past the first and the last end of the edge at the moment at which the motion that is
-  // foreseen closes the gap, and far below 0 where it closes none.
-  std::array<double, 2> met_past = {-1e300, -1e300};
+  // foreseen closes the gap; -infinity where it closes none.
+  std::array<double, 2> met_past = {-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   bool counts = true;  // as a contact
 };
 

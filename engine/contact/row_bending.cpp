@@ -224,6 +224,19 @@ HeldSides held_sides(const Model& model, const ContactSet& contacts) {
   return sides;
 }
 
+Bend bend_at(const Model& model, const Interface& interface, const HeldSides& sides, const std::vector<bool>& held) {
+  std::array<Half, 2> halves;
+  std::size_t count = 0;  // held blocks are rigid
+  for (const int block : {interface.block_a, interface.block_b}) {
+    if (held[static_cast<std::size_t>(block)]) continue;
+    const Piece piece = piece_at(model, interface, block);
+    halves[count++] = {piece, 1 - share_of_mesh(model, piece, sides, held)};
+  }
+  Bend bend = bend_of(model, std::span(halves).first(count), interface.length);
+  if (bend.share > 0) bend.share *= 1 - tie_across(model, interface.block_a, interface.block_b, sides);
+  return bend;
+}
+
 }  // namespace
 
 double bending_of_section(const Material& material, double width) {
@@ -239,17 +252,7 @@ void stiffen_rows(const Model& model, ContactSet& contacts) {
   for (std::size_t i = 0; i < contacts.interfaces.size(); ++i) {
     const Interface& interface = contacts.interfaces[i];
     if (!may_bend(joint_of(model, interface), elements[i])) continue;
-    const auto is_held = [&](int block) -> bool { return held[static_cast<std::size_t>(block)]; };
-    if (is_held(interface.block_a) && is_held(interface.block_b)) continue;
-    std::array<Half, 2> halves;
-    std::size_t count = 0;  // held blocks are rigid
-    for (const int block : {interface.block_a, interface.block_b}) {
-      if (is_held(block)) continue;
-      const Piece piece = piece_at(model, interface, block);
-      halves[count++] = {piece, 1 - share_of_mesh(model, piece, sides, held)};
-    }
-    Bend bend = bend_of(model, std::span(halves).first(count), interface.length);
-    if (bend.share > 0) bend.share *= 1 - tie_across(model, interface.block_a, interface.block_b, sides);
+    const Bend bend = bend_at(model, interface, sides, held);
     if (bend.share <= 0) continue;
     const double of_mesh = elements[i].stiffness(3);  // both differences have the same there
     elements[i].stiffness(2) = std::lerp(of_mesh, bending_stiffness(interface, bend.turn), bend.share);

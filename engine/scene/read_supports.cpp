@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "engine/core/error.h"
 #include "engine/model/common_centroid.h"
@@ -140,17 +141,14 @@ void read_held_points(const Field& field, const GroundPlan& plan, RecordFiles& r
 
 // Behind the entries that the block has already, with which its motion adds up.
 void add_to_motions_of_block(const HeldBlock& held, const Field& name, Model& model) {
-  const auto is_of_block = [&](const HeldBlock& each) { return each.block == held.block; };
-  const auto first = std::ranges::find_if(model.held_blocks, is_of_block);
-  const auto end = std::find_if_not(first, model.held_blocks.end(), is_of_block);
-  std::vector<HeldBlock> motions(first, end);
-  motions.push_back(held);
-  if (!add_up(motions))
+  const auto first = std::ranges::find(model.held_blocks, held.block, &HeldBlock::block);
+  const auto index = static_cast<std::size_t>(first - model.held_blocks.begin());
+  model.held_blocks.insert(first + std::ssize(motions_from(model, index)), held);
+  if (!add_up(motions_from(model, index)))
     name.fail(
         fmt::format("blocks that are not held already, as \"{}\" is: where several supports hold a block each has "
                     "to move it, and one at most to turn it",
                     model.blocks[static_cast<std::size_t>(held.block)].name));
-  model.held_blocks.insert(end, held);
 }
 
 void append_held(HeldBlock held, const std::vector<int>& blocks, const Field& name, Model& model) {

@@ -108,10 +108,10 @@ Vec6 prescribed_displacement(const Model& model, const HeldMotions& motions, dou
 }
 
 void aim(const Model& model, const State& state, const LoadTime& time, HeldUnknowns& held) {
-  std::size_t place = 0;
   for_each_held_block(model, [&](const HeldMotions& motions) {
-    Vec6& increments = held.increments[place++];
-    increments = displacement_of(model, motions, time) - state.displacement[at(motions[0].block)];
+    const std::size_t block = at(motions[0].block);
+    Vec6& increments = held.increments[at(held.place[block])];
+    increments = displacement_of(model, motions, time) - state.displacement[block];
     increments.tail<3>().setZero();
   });
 }
@@ -120,9 +120,10 @@ bool held_blocks_stand_still_until(const Model& model, const State& state, doubl
   constexpr double round_off = 1e-14;
   bool still = true;
   for_each_held_block(model, [&](const HeldMotions& motions) {
+    if (!still) return;
     const Vec6& now = state.displacement[at(motions[0].block)];
     const Vec6 then = motion_of(model, motions, time).displacement;
-    still = still && (then - now).head<3>().norm() <= round_off * now.head<3>().norm();
+    still = !((then - now).head<3>().norm() > round_off * now.head<3>().norm());
   });
   return still;
 }

@@ -203,8 +203,7 @@ void MeasuredPlaces::take_held(const std::optional<Field>& name, Measurement& me
     if (meant(held.name)) measurement.blocks.push_back(held.block);
   std::ranges::sort(measurement.blocks);
   // A block that several entries move is one block.
-  const auto [first, last] = std::ranges::unique(measurement.blocks);
-  measurement.blocks.erase(first, last);
+  measurement.blocks.erase(std::unique(measurement.blocks.begin(), measurement.blocks.end()), measurement.blocks.end());
 }
 
 void MeasuredPlaces::place_between(const Field& field, Measurement& measurement) const {

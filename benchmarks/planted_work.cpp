@@ -41,7 +41,7 @@ PlantedWork::PlantedWork(Plant plant, const Simulation& simulation)
       contacts_(make_contacts(simulation.model())),
       moving_(simulation.model(), simulation.state(), contacts_),
       matrix_(matrix_of(simulation, moving_, contacts_)),
-      solver_(make_solver(simulation.plan().solver, simulation.plan().chi)),
+      solver_(make_solver(simulation.plan().solver, simulation.plan().chi.largest)),
       vector_(Eigen::VectorXd::Ones(matrix_.unknowns())),
       residual_(Eigen::VectorXd::Zero(matrix_.unknowns())) {
   solver_->analyze(matrix_);

@@ -47,7 +47,7 @@ struct StageAdvice {
   std::string name, integrator;
   std::string why_integrator;   // a phrase, where the engine chose between implicit and explicit steps
   double first_dt = 0, dt = 0;  // s, of the first steps and of the last: shorter where steps grow
-  double chi = 0;
+  StiffnessNumbers chi;
   std::string solver;
   StageCost cost;
   double stable_dt = 0;  // s, up to which explicit steps are stable; 0 where steps are implicit

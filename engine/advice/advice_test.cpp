@@ -207,12 +207,12 @@ TEST(Cost, FollowsFromThePlan) {
   size.blocks = 100;
   StepPlan plan;
   plan.finite_kinematics = true;
-  plan.chi = 1;
+  plan.chi.largest = 1;
   EXPECT_EQ(cost_of(size, plan, 50).factorizations, 50);
   plan.solver = SolverKind::pcg;
   EXPECT_EQ(cost_of(size, plan, 50).factorizations, 0);
   EXPECT_EQ(cost_of(size, plan, 50).iterations, 50 * 5);  // 3 + 2 sqrt(chi) with an incomplete factor: engine/linear
-  plan.chi = 0.09;
+  plan.chi.largest = 0.09;
   EXPECT_EQ(cost_of(size, plan, 50).iterations, 1155);  // 3 + 67 sqrt(chi) with diagonal blocks
 }
 
@@ -232,7 +232,7 @@ TEST(Cost, OfWallsIsThatOfTheirRuns) {
                         {{10051, 59700, 29850, {}}, 0, 0.224}};
   StepPlan plan;
   plan.contacts_can_change = plan.finite_kinematics = true;
-  plan.chi = 77;
+  plan.chi = {77, 77};
   plan.solver = SolverKind::pcg;
   for (const Wall& wall : walls) {
     constexpr int steps = 1000;

@@ -167,8 +167,8 @@ void add_stage(const Advice& advice, const StageAdvice& stage, Text& text) {
               stage.dt, stage.integrator, stage.stable_dt);
     text.line("  cost: roughly {:.2g} s of CPU time", stage.cost.seconds);
   } else {
-    text.line("stage \"{}\": {} steps of {}, {}; chi = {:.3g}, so {}", stage.name, stage.cost.steps,
-              in_words(stage.first_dt, stage.dt), stage.integrator, stage.chi, stage.solver);
+    text.line("stage \"{}\": {} steps of {}, {}; {}, so {}", stage.name, stage.cost.steps,
+              in_words(stage.first_dt, stage.dt), stage.integrator, in_words(stage.chi), stage.solver);
     add_cost(stage.cost, text);
   }
   if (!stage.why_integrator.empty()) text.line("  chosen: {}", stage.why_integrator);

@@ -111,7 +111,7 @@ class Adviser {
     const BlockTerms terms = make_block_terms(model_, stage);
     const double dt = first_step(model_, stage, contacts_.can_change);
     const StepPlan plan =
-        make_plan(model_, index, contacts_, matrix.couplings(), stiffness_number(contacts_, terms, dt));
+        make_plan(model_, index, contacts_, matrix.couplings(), stiffness_numbers(contacts_, terms, dt));
     StageAdvice advice;
     advice.name = stage.name;
     advice.integrator = stage.integrator.name;

@@ -252,7 +252,7 @@ void add_stage(const Simulation& simulation, std::size_t index, const BlockMatri
   const Stage& stage = model.stages[index];
   const BlockTerms terms = make_block_terms(model, stage);
   const double dt = first_step(model, stage, contacts.can_change);
-  const StepPlan plan = make_plan(model, index, contacts, matrix.couplings(), stiffness_number(contacts, terms, dt));
+  const StepPlan plan = make_plan(model, index, contacts, matrix.couplings(), stiffness_numbers(contacts, terms, dt));
   text.gap();
   text.plain(fmt::format("stage \"{}\": {}; {}, {} kinematics", stage.name, steps_of(stage), stage.integrator.name,
                          stage.kinematics == Kinematics::small ? "small" : "finite"));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <string_view>
 
 #include "engine/linear/solver.h"
@@ -23,19 +24,28 @@ constexpr std::string_view to_string(SolverKind kind) {
 // Whether it starts from a guess, and takes the longer the worse that is.
 constexpr bool is_iterative(SolverKind kind) { return kind == SolverKind::pcg || kind == SolverKind::petsc; }
 
+// k dt^2/m of the interfaces of a scene: the stiffness of each against the inertia of the lighter of its blocks. Rock
+// that is cut at random has splinters whose chi is thousands of times that of the others.
+struct StiffnessNumbers {
+  double largest = 0;
+  double of_most = 0;  // nine interfaces in ten have no more
+};
+
+// "chi = 5.19e+03", and for most where that is far less.
+std::string in_words(const StiffnessNumbers& chi);
+
 // The facts of a scene that decide.
 struct SolverScene {
   int blocks = 0;
-  int couplings = 0;  // coupled pairs of blocks; the couplings per block tell a chain from a grid
-  double chi = 0;     // k dt^2 / m: largest interface stiffness against the inertia of a block; infinite
-                      // for a static step
+  int couplings = 0;                       // coupled pairs of blocks; the couplings per block tell a chain from a grid
+  StiffnessNumbers chi = {};               // infinite for a static step
   bool matrix_changes_every_step = false;  // contacts change or rotations are large: a factor serves one step only
 };
 
 // PCG where the iterations that chi makes it need are cheaper than what a direct solution costs in this scene: a reused
 // factor where the matrix stays, a new factor where it changes every step. The figures behind it are in the README of
-// this folder. Never dense, the oracle of tests, nor petsc, which few builds have. A chi that is not a number or
-// infinite gives cholesky.
+// this folder. Never dense, the oracle of tests, nor petsc, which few builds have. Numbers that are not finite give
+// cholesky.
 SolverKind choose_solver(const SolverScene& scene);
 
 // The preconditioner of PCG: an incomplete factor, or the diagonal blocks where steps are short.

@@ -147,7 +147,7 @@ struct BlockSystem {
     if (!model.stays_linear() || model.adds_blocks() || changes_springs(model)) archive(contacts);
     if (moves) archive(terms);
     archive.each(supports);
-    archive(reinforcement, external, excavated, audit, forces, drag, plan.chi, plan.solver);
+    archive(reinforcement, external, excavated, audit, forces, drag, plan.chi.largest, plan.chi.of_most, plan.solver);
     archive.of_blocks(increment, 6);
     for (auto& [block, matrix] : damping) archive(matrix);
     if (free_field) archive(*free_field);

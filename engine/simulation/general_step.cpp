@@ -81,7 +81,7 @@ BlockMatrix GeneralStep::pattern() const {
 
 void GeneralStep::set_up(BlockMatrix pattern) {
   base_ = pattern;
-  solver_.begin(std::move(pattern), system_.plan.solver, system_.plan.chi);
+  solver_.begin(std::move(pattern), system_.plan.solver, system_.plan.chi.largest);
   set_step_size(system_.stage_in_force().dt_of(system_.clock.step));
   list_contacts();
   system_.drag.hold_loose(system_.model.blocks.size(), system_.held);

@@ -126,7 +126,7 @@ class StageChoice {
     size.blocks = static_cast<std::int64_t>(model_.blocks.size());
     size.interfaces = static_cast<std::int64_t>(contacts_.interfaces.size());
     size.coupled_pairs = size.interfaces;
-    const double chi = stiffness_number(contacts_, make_block_terms(model_, stage), stage.dt);
+    const StiffnessNumbers chi = stiffness_numbers(contacts_, make_block_terms(model_, stage), stage.dt);
     StepPlan plan = make_plan(model_, index_, contacts_, static_cast<int>(size.coupled_pairs), chi);
     if (!is_iterative(plan.solver)) {
       if (!factored_) factored_ = size_of(contacts_, make_system_matrix(static_cast<int>(size.blocks), contacts_));

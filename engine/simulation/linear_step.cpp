@@ -20,7 +20,7 @@ void LinearStep::set_up(BlockMatrix pattern) {
   pattern = BlockMatrix(0, {});  // comes again from the operators, once they need no more room for themselves
   set_step_size(stage.dt);
   linear_.set_up();
-  matrix_.begin(linear_.operators->stiffness.pattern(), s.plan.solver, s.plan.chi, MatrixUse::stays);
+  matrix_.begin(linear_.operators->stiffness.pattern(), s.plan.solver, s.plan.chi.largest, MatrixUse::stays);
   for (Eigen::VectorXd* vector : {&next_momentum_, &rhs_}) vector->setZero(unknowns);
 }
 

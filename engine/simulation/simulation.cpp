@@ -141,7 +141,7 @@ void Simulation::begin_stage() {
   BlockMatrix pattern = general_->pattern();
   const double dt = first_step(s.model, s.stage(), s.contacts.can_change);
   const StepPlan next =
-      make_plan(s.model, s.clock.stage, s.contacts, pattern.couplings(), stiffness_number(s.contacts, s.terms, dt));
+      make_plan(s.model, s.clock.stage, s.contacts, pattern.couplings(), stiffness_numbers(s.contacts, s.terms, dt));
   const bool other_kind = next.linear != s.plan.linear || next.explicit_steps != s.plan.explicit_steps;
   if (other_kind) stage_step().hand_over();
   s.plan = next;

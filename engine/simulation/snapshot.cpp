@@ -125,7 +125,7 @@ void Simulation::restore(State state, std::span<const std::byte> snapshot) {
   s.state = std::move(state);
   const Stage& stage = s.stage_in_force();
   set_strain_inertia(stage, s.terms);
-  s.plan = make_plan(s.model, s.clock.in_force(), s.contacts, 0, 0);
+  s.plan = make_plan(s.model, s.clock.in_force(), s.contacts, 0, {});
   const auto drawn_pairs = touching_blocks(s.contacts.interfaces);
   visit(*this, reader);
   const auto pairs = touching_blocks(s.contacts.interfaces);

@@ -35,8 +35,8 @@ double factor_solve_seconds(const SceneSize& size) {
 double solve_seconds(const SceneSize& size, const StepPlan& plan) {
   if (is_iterative(plan.solver)) {
     const double matrix_blocks = static_cast<double>(size.blocks + 2 * size.coupled_pairs);
-    return expected_iterations(plan.chi) * matrix_blocks *
-           (has_incomplete_factor(plan.chi) ? per_factored_pcg_block : per_pcg_block);
+    return expected_iterations(plan.chi.largest) * matrix_blocks *
+           (has_incomplete_factor(plan.chi.largest) ? per_factored_pcg_block : per_pcg_block);
   }
   return factor_solve_seconds(size);
 }
@@ -97,7 +97,7 @@ StageCost cost_of(const SceneSize& size, const StepPlan& plan, std::int64_t step
   const auto count = static_cast<double>(steps);
   const bool iterates = is_iterative(plan.solver);
   if (!iterates) cost.factorizations = plan.finite_kinematics ? steps : 1;
-  if (iterates) cost.iterations = std::llround(count * expected_iterations(plan.chi));
+  if (iterates) cost.iterations = std::llround(count * expected_iterations(plan.chi.largest));
   double step = per_step + per_block * static_cast<double>(size.blocks) + solve_seconds(size, plan);
   if (!plan.linear) step += per_interface * static_cast<double>(size.interfaces);
   cost.seconds = count * step + static_cast<double>(cost.factorizations) * factor_seconds(size);

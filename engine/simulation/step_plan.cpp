@@ -18,7 +18,8 @@ SolverKind solver_for(const Model& model, const Stage& stage, int couplings, con
     case SolverRequest::petsc: return SolverKind::petsc;
     case SolverRequest::automatic: break;
   }
-  const double chi = plan.is_static ? std::numeric_limits<double>::infinity() : plan.chi;
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const StiffnessNumbers chi = plan.is_static ? StiffnessNumbers{infinite, infinite} : plan.chi;
   return choose_solver({static_cast<int>(model.blocks.size()), couplings, chi, plan.finite_kinematics});
 }
 
@@ -29,7 +30,8 @@ bool has_law(const ContactSet& contacts, InterfaceLaw law) {
 
 }  // namespace
 
-StepPlan make_plan(const Model& model, std::size_t stage_index, const ContactSet& contacts, int couplings, double chi) {
+StepPlan make_plan(const Model& model, std::size_t stage_index, const ContactSet& contacts, int couplings,
+                   const StiffnessNumbers& chi) {
   const Stage& stage = model.stages[stage_index];
   StepPlan plan;
   const auto fades = [](const auto& each) { return each.withdrawal.relaxation.has_value(); };
@@ -94,7 +96,7 @@ std::vector<std::string> StepPlan::describe() const {
   add(!finite_kinematics, "geometry: as drawn, matrix built once");
   add(velocity_damping, "velocity damping");
   lines.push_back(explicit_steps ? "solve: explicit, accelerations block by block"
-                                 : fmt::format("solve: {} (chi = {:.3g})", to_string(solver), chi));
+                                 : fmt::format("solve: {} ({})", to_string(solver), in_words(chi)));
   return lines;
 }
 

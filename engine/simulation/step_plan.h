@@ -42,7 +42,7 @@ struct StepPlan {
   CorrectedWaves waves;
   bool velocity_damping = false;
   bool is_static = false;
-  double chi = 0;  // k dt^2/m
+  StiffnessNumbers chi;
   SolverKind solver = SolverKind::cholesky;
 
   // One line a term or phase, for people.
@@ -50,6 +50,7 @@ struct StepPlan {
 };
 
 // Plans the steps of a stage of the model, counted from 0.
-StepPlan make_plan(const Model& model, std::size_t stage_index, const ContactSet& contacts, int couplings, double chi);
+StepPlan make_plan(const Model& model, std::size_t stage_index, const ContactSet& contacts, int couplings,
+                   const StiffnessNumbers& chi);
 
 }  // namespace dda

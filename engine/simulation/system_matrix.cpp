@@ -68,13 +68,16 @@ void assemble_base_matrix(const StepCoefficients& step, const BlockTerms& terms,
     add_contact(step.stiffness, contacts.elements.read(static_cast<std::size_t>(i), room), {}, true, true, matrix);
 }
 
-double stiffness_number(const ContactSet& contacts, const BlockTerms& terms, double dt) {
-  double largest = 0;
-  for (std::size_t i = 0; i < contacts.interfaces.size(); ++i) {
+StiffnessNumbers stiffness_numbers(const ContactSet& contacts, const BlockTerms& terms, double dt) {
+  std::vector<double> chi(contacts.interfaces.size());
+  for (std::size_t i = 0; i < chi.size(); ++i) {
     const double mass = least_mass(terms, contacts.interfaces[i].block_a, contacts.interfaces[i].block_b);
-    largest = std::max(largest, normal_stiffness(contacts.elements.but_for_blocks(i)) * dt * dt / mass);
+    chi[i] = normal_stiffness(contacts.elements.but_for_blocks(i)) * dt * dt / mass;
   }
-  return largest;
+  if (chi.empty()) return {};
+  const auto tenth = chi.begin() + static_cast<std::ptrdiff_t>(chi.size() * 9 / 10);
+  std::ranges::nth_element(chi, tenth);
+  return {.largest = *std::max_element(tenth, chi.end()), .of_most = *tenth};
 }
 
 }  // namespace dda

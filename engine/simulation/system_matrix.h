@@ -7,6 +7,7 @@
 
 #include "engine/contact/contact_set.h"
 #include "engine/linear/block_matrix.h"
+#include "engine/linear/solver_choice.h"
 #include "engine/simulation/block_terms.h"
 #include "engine/simulation/step_coefficients.h"
 #include "engine/simulation/support_set.h"
@@ -26,8 +27,7 @@ void assemble_base_matrix(const StepCoefficients& step, const BlockTerms& terms,
                           const std::vector<SupportElement>& supports, const ContactSet& contacts,
                           std::span<const int> bonded, BlockMatrix& matrix);
 
-// chi = k dt^2/m: the stiffest interface of a block against its inertia, which decides on the solver. Supports do not
-// count: PCG inverts the blocks they act on.
-double stiffness_number(const ContactSet& contacts, const BlockTerms& terms, double dt);
+// chi = k dt^2/m, which decides on the solver. Supports do not count: PCG inverts the blocks they act on.
+StiffnessNumbers stiffness_numbers(const ContactSet& contacts, const BlockTerms& terms, double dt);
 
 }  // namespace dda

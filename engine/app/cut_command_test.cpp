@@ -209,6 +209,19 @@ TEST_F(Cut, LayersAndUnitAreGivenOnTheCommandLine) {
               1e-12);  // exact by definition
 }
 
+// Which of the two is right the drawing cannot tell, so that what it says is not overruled without a word.
+TEST_F(Cut, AUnitThatIsNotTheDrawingsIsTold) {
+  write("blocks.dxf", text_of_blocks());
+  const auto outcome = [&](const std::string& unit) {
+    const Outcome cut = call({"cut", path("blocks.dxf"), "--out", path("out"), "--unit", unit});
+    EXPECT_EQ(cut.code, 0) << cut.errors;
+    return cut.out;
+  };
+  EXPECT_TRUE(contains(outcome("mm"), "says that its coordinates are in m; they are taken in units of 0.001 m"))
+      << outcome("mm");
+  EXPECT_FALSE(contains(outcome("m"), "its coordinates")) << outcome("m");
+}
+
 // Left out, but not without a word: lines on the layer of dimensions, which is ignored as long as nobody names it.
 TEST_F(Cut, LinesAmongThePointsOfDimensionsAreTold) {
   write("other.csv", plan + "Defpoints,0,1,4,1\n");

@@ -172,6 +172,12 @@ std::string unresolved(const PeriodRange& asked, const PeriodRange& resolved) {
   return text;
 }
 
+std::string in_words(double ratio, const Peak& peak) {
+  const std::string damping = fmt::format("damping {:.12g} %: ", 100 * ratio);
+  if (peak.acceleration == 0) return damping + "Sa is 0 at all periods, as nothing moves in the measurement\n";
+  return damping + fmt::format("Sa is largest at {:.4g} s, {:.4g} m/s2\n", peak.period, peak.acceleration);
+}
+
 }  // namespace
 
 void add_spectrum(CLI::App& app, SpectrumRequest& request) {
@@ -209,9 +215,7 @@ void write_spectrum(const SpectrumRequest& request, std::ostream& out) {
   std::vector<Peak> peaks;
   write_file(file, table_of(record, spaced_evenly_in_logarithm(range, count), ratios, peaks));
   out << fmt::format("{}: {} periods from {:.4g} to {:.4g} s\n", file.string(), count, range.shortest, range.longest);
-  for (std::size_t i = 0; i < ratios.size(); ++i)
-    out << fmt::format("damping {:.12g} %: Sa is largest at {:.4g} s, {:.4g} m/s2\n", 100 * ratios[i], peaks[i].period,
-                       peaks[i].acceleration);
+  for (std::size_t i = 0; i < ratios.size(); ++i) out << in_words(ratios[i], peaks[i]);
   out << unresolved(range, resolved_periods(record.times));
 }
 

@@ -21,6 +21,7 @@ class Spectrum : public CommandLine {
  "measurements": [{"name": "a", "quantity": "acceleration_x", "block": "base"},
                   {"name": "v", "quantity": "velocity_x", "block": "base"},
                   {"name": "u", "quantity": "displacement_x", "block": "base"},
+                  {"name": "still", "quantity": "velocity_y", "block": "base"},
                   {"name": "force", "quantity": "stress_xx", "block": "top"}],
  "steps": {"dt": "1 ms", "duration": "1 s", "kinematics": "small"}})",
                         "results")
@@ -62,6 +63,14 @@ TEST_F(Spectrum, OfAShakenBlock) {
     EXPECT_NEAR(row[3], row[2] * 2 * std::numbers::pi / row[0], 1e-12 * row[3]);
     EXPECT_NEAR(row[4], row[3] * 2 * std::numbers::pi / row[0], 1e-12 * row[4]);
   }
+}
+
+TEST_F(Spectrum, OfWhatDoesNotMoveHasNoPeak) {
+  run_shaker();
+  const Outcome outcome = call({"spectrum", path("results"), "--measurement", "still"});
+  ASSERT_EQ(outcome.code, 0) << outcome.errors;
+  EXPECT_TRUE(contains(outcome.out, "damping 5 %: Sa is 0 at all periods, as nothing moves in the measurement\n"))
+      << outcome.out;
 }
 
 // Straight lines between rows of 1 ms, at periods of 50 ms and more: (2 pi dt/T)^2/12 of the motion, 1.3e-3.

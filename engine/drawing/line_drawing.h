@@ -33,8 +33,9 @@ struct DrawnPoint {
 };
 
 struct LineDrawing {
-  std::string name;  // of the file, for messages
-  std::string unit;  // of its coordinates: "mm"; empty where the file does not say, and metres were taken
+  std::string name;           // of the file, for messages
+  std::string unit;           // of its coordinates by what the file says: "mm"; empty where it says none
+  double metres_of_unit = 0;  // 0 there
   // No layer has the boundary: the rock is what the lines enclose, as for dc of the original DDA.
   bool encloses = false;
   std::vector<DrawnLine> lines;

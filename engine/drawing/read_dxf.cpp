@@ -86,14 +86,19 @@ class DxfDraughtsman {
   int symbols_ = 0;
 };
 
-double metres_of(int code, LineDrawing& drawing) {
-  if (code == 0) return 1;
+void note_unit(int code, LineDrawing& drawing) {
   const auto found = std::ranges::find(drawn_units, code, &DrawnUnit::code);
-  if (found == drawn_units.end())
+  if (found == drawn_units.end()) return;
+  drawing.unit = found->symbol;
+  drawing.metres_of_unit = found->metres;
+}
+
+double metres_of(int code, const LineDrawing& drawing) {
+  if (code == 0) return 1;
+  if (drawing.unit.empty())
     throw InputError("", drawing.name + ", $INSUNITS", fmt::format("{}", code),
                      "a unit from mil to mi, or one that is said: --unit mm, in a scene \"unit\": \"mm\"");
-  drawing.unit = found->symbol;
-  return found->metres;
+  return drawing.metres_of_unit;
 }
 
 }  // namespace
@@ -102,6 +107,7 @@ LineDrawing read_dxf(std::string_view text, const std::string& name, double metr
   LineDrawing drawing;
   drawing.name = name;
   const DxfFile file = parse_dxf(text, name);
+  note_unit(file.unit, drawing);
   DxfPlacement paper;
   paper.turn *= metres > 0 ? metres : metres_of(file.unit, drawing);
   DxfDraughtsman(file, drawing).draw(file.entities, paper, 0);

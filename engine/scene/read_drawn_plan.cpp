@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -135,12 +136,20 @@ std::string remark_on_points_of_dimensions(const LineDrawing& drawing, const Dra
       drawing.name, count);
 }
 
+// Two units differ by more than this share: a foot and that of US surveys by twice as much.
+constexpr double same_unit = 1e-6;
+
 std::vector<std::string> remarks_on(const LineDrawing& drawing, double metres) {
   std::vector<std::string> remarks;
   if (metres == 0 && drawing.unit.empty())
     remarks.push_back(drawing.name + " does not say its unit: coordinates are taken in m");
   if (metres == 0 && !drawing.unit.empty())
     remarks.push_back(fmt::format("{}: coordinates in {}, as it says", drawing.name, drawing.unit));
+  if (metres > 0 && !drawing.unit.empty() && std::abs(metres / drawing.metres_of_unit - 1) > same_unit)
+    remarks.push_back(
+        fmt::format("{} says that its coordinates are in {}; they are taken in units of {:.6g} m, as is "
+                    "asked for",
+                    drawing.name, drawing.unit, metres));
   for (const auto& [other, name] : drawing.other_spellings)
     if (named_layer(name))
       remarks.push_back(fmt::format("{}: the layers \"{}\" and \"{}\" are one", drawing.name, name, other));

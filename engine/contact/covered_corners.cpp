@@ -16,13 +16,18 @@ namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-// The least distance (m) of a vertex from another one on the way that is foreseen for the step.
-double least_distance(const Outlines& outlines, int vertex, int other) {
+// Where a vertex comes nearest to another one on the way that is foreseen for the step.
+struct Encounter {
+  double distance;  // m
+  Vec2 way;         // m, that the vertex has gone by then, as the other sees it
+};
+
+Encounter encounter_of(const Outlines& outlines, int vertex, int other) {
   const Vec2 apart = outlines.current[at(vertex)] - outlines.current[at(other)];
   const Vec2 way = outlines.coming[at(vertex)] - outlines.coming[at(other)];
   const double squared = way.squaredNorm();
   const double share = squared > 0 ? std::clamp(-apart.dot(way) / squared, 0.0, 1.0) : 0;
-  return (apart + share * way).norm();
+  return {(apart + share * way).norm(), share * way};
 }
 
 // What corners may be apart, and sides off their line, m.
@@ -30,23 +35,25 @@ double near_of(const ContactSearch& search, const VertexContact& contact) {
   return in_line * std::min(search.size_of(contact.edge_block), search.size_of(contact.vertex_block));
 }
 
-// Length (m) along which two edges lie on each other, or nearly; 0 where they do not face each other.
-double length_beside(const Outlines& outlines, int edge, int other) {
+// Length (m) along which two edges lie on each other, or nearly, when the other has gone its `way`; 0 where they do not
+// face each other.
+double length_beside(const Outlines& outlines, int edge, int other, const Vec2& way) {
   const Vec2 line = outlines.along(edge), facing = outlines.along(other);
   const double length = line.norm();
   if (line.dot(facing) > -same_direction * length * facing.norm()) return 0;
   const auto place = [&](int vertex) {
-    return (outlines.current[at(vertex)] - outlines.current[at(edge)]).dot(line) / length;
+    return (outlines.current[at(vertex)] + way - outlines.current[at(edge)]).dot(line) / length;
   };
   return std::min(place(other), length) - std::max(place(outlines.next[at(other)]), 0.0);
 }
 
-// Whether the blocks share a longer stretch where a vertex of one meets a vertex of the other. Vertices may lie within
-// straight faces, so that either edge of both can be part of it.
-bool share_a_face(const Outlines& outlines, int vertex, int corner, double near) {
+// Whether the blocks share a longer stretch where a vertex of one, at the end of its `way`, meets a vertex of the
+// other: from afar the upright sides of two corners that do not lean alike seem to be beside each other. Vertices may
+// lie within straight faces, so that either edge of both can be part of it.
+bool share_a_face(const Outlines& outlines, int vertex, int corner, const Vec2& way, double near) {
   for (const int edge : {corner, outlines.previous[at(corner)]})
     for (const int other : {vertex, outlines.previous[at(vertex)]})
-      if (length_beside(outlines, edge, other) > near) return true;
+      if (length_beside(outlines, edge, other, way) > near) return true;
   return false;
 }
 
@@ -57,9 +64,9 @@ int shared_corner(const Outlines& outlines, const VertexContact& contact, double
   int shared = -1;
   double least = near;
   for (const int corner : {contact.edge, outlines.next[at(contact.edge)]}) {
-    const double distance = least_distance(outlines, contact.vertex, corner);
-    if (distance > least || share_a_face(outlines, contact.vertex, corner, near)) continue;
-    least = distance;
+    const Encounter met = encounter_of(outlines, contact.vertex, corner);
+    if (met.distance > least || share_a_face(outlines, contact.vertex, corner, met.way, near)) continue;
+    least = met.distance;
     shared = corner;
   }
   return shared;

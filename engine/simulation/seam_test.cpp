@@ -23,9 +23,18 @@ struct Slide {
   std::vector<double> bases;  // m, lengths of the blocks below, the first from x = 0 on
   double drop = 0;            // m, by which each base lies below the one before it
   double opening = 0;         // m, between them
+  double lean = 0;            // rad, of the block's front, forward at its top
+  double joint_lean = 0;      // rad, of the bases' sides, which stay in line
   double dip = 0, friction = 0;
   Vec2 velocity = Vec2::Zero();
 };
+
+// Its right side, and its left one for joints that lean, turned about the upper corner or the lower one.
+void lean_front(const Slide& slide, Block& block) { block.shape.outer[2].x() += slide.height * std::tan(slide.lean); }
+
+void lean_sides(const Slide& slide, Block& base) {
+  for (const std::size_t lower : {0U, 1U}) base.shape.outer[lower].x() -= slide.size * std::tan(slide.joint_lean);
+}
 
 Block turned(Block block, double angle) {
   for (Vec2& corner : block.shape.outer) corner = rotation(angle) * corner;
@@ -43,10 +52,12 @@ Model slide_model(const Slide& slide, double dt, int steps) {
     model.held_blocks.emplace_back().block = static_cast<int>(model.blocks.size());
     model.blocks.push_back(
         rectangle(fmt::format("base {}", model.blocks.size() + 1), left, top - slide.size, length, slide.size));
+    lean_sides(slide, model.blocks.back());
     left += length + slide.opening;
     top -= slide.drop;
   }
   model.blocks.push_back(rectangle("block", 0, 0, slide.size, slide.height));
+  lean_front(slide, model.blocks.back());
   model.blocks.back().initial_velocity = slide.velocity;
   for (Block& block : model.blocks) block = turned(block, -slide.dip);
   model.gravity = {0, -gravity_here};
@@ -81,6 +92,29 @@ TEST(Seam, BlocksSlideOverFlushOnesAsOverOne) {
     const double gone = end_of(simulation).displacement.back().head<2>().norm();
     // Springs and the block give way by some 1e-7 of it.
     EXPECT_NEAR(gone / (acceleration * time * time / 2), 1, 1e-5) << seed;
+  }
+}
+
+// Fronts and joints that lean by a few degrees from each other seem to be beside each other from afar: of these 60
+// blocks 17 were caught by a joint.
+TEST(Seam, FrontsThatLeanDoNotMeetJointsThatLeanOtherwise) {
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    SeededNumbers random(seed);
+    Slide slide;
+    slide.height = random.number(0.2, 0.5);
+    slide.lean = random.number(-12, 12) * std::numbers::pi / 180;
+    slide.joint_lean = random.chance(0.5) ? 0 : random.number(-12, 12) * std::numbers::pi / 180;
+    slide.bases = {1.2};
+    double way = 0.2;
+    for (int i = random.integer(4, 12); i > 0; --i) {
+      slide.bases.push_back(random.number(0.1, 1.5));
+      way += slide.bases.back();
+    }
+    slide.velocity = {random.number(2, 8), 0};
+    const int steps = static_cast<int>(0.97 * way / random.number(0.005, 0.02));  // m in one
+    const double time = 0.97 * way / slide.velocity.x();
+    Simulation simulation = simulation_of(slide_model(slide, time / steps, steps));
+    EXPECT_NEAR(end_of(simulation).displacement.back().x() / (0.97 * way), 1, 1e-5) << seed;
   }
 }
 

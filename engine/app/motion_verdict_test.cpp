@@ -70,6 +70,18 @@ TEST_F(MotionVerdict, SaysNothingOfMotionsThatAreRight) {
   expect(box_on_floor(outline(2, 0, 1, 1), down, 0, "30 deg", "0.3 s"), 0, "");
 }
 
+// A gate that is driven through the floor, as no dt and no joint can mend.
+TEST_F(MotionVerdict, SaysThatHeldBlocksAreDrivenIntoEachOther) {
+  json scene = box_on_floor(outline(1, 0.5, 1, 0.4), {0, 0}, 0, "30 deg", "1 s");
+  scene["blocks"][1]["polygon"].erase("initial_velocity");
+  scene["supports"] = {{{"block", "box"}, {"displacement", {0, -0.52}}, {"history", {{"table", {{0, 0}, {1, 1}}}}}}};
+  scene["steps"].erase("kinematics");
+  const Outcome outcome = run_scene(scene.dump(), "gate");
+  EXPECT_TRUE(contains(outcome.errors, "both are held, so that nothing keeps them apart but their motions"))
+      << outcome.errors;
+  EXPECT_FALSE(contains(outcome.errors, "take stiffer joints")) << outcome.errors;
+}
+
 // Thrown over a wall: not on the straight way.
 TEST_F(MotionVerdict, FollowsTheWayThatBlocksTake) {
   json scene = box_on_floor(outline(1, 1, 0.5, 0.5), down, 7, "0 deg", "1.4 s");

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "engine/app/run_verdict.h"
+#include "engine/app/run_warnings.h"
 #include "engine/core/place_in_words.h"
 #include "engine/simulation/block_system.h"
 
@@ -33,12 +34,11 @@ RunVerdict judge_penetration(const Simulation& simulation) {
   Penetration now;
   note_penetrations(simulation.model(), simulation.contacts(), simulation.system().terms, simulation.state(), now);
   if (now.share >= ruinous_penetration)
-    return {
-        Status::inaccurate,
-        fmt::format("blocks \"{}\" and \"{}\" end {:.3g} m deep in each other, {:.2g} % of the smaller one, where "
-                    "contacts mean nothing; take stiffer joints or a smaller dt, or share a long motion among more "
-                    "steps or stages",
-                    name_of(simulation, now.block_a), name_of(simulation, now.block_b), now.depth, 100 * now.share)};
+    return {Status::inaccurate,
+            fmt::format("blocks \"{}\" and \"{}\" end {:.3g} m deep in each other, {:.2g} % of the smaller one, where "
+                        "contacts mean nothing; {}, or share a long motion among more steps or stages",
+                        name_of(simulation, now.block_a), name_of(simulation, now.block_b), now.depth, 100 * now.share,
+                        remedy_of_depth(simulation.model(), now.block_a, now.block_b))};
   return judge_passing(simulation);
 }
 

@@ -22,10 +22,9 @@ std::string penetration_warning(const Simulation& simulation) {
   const Penetration& deepest = simulation.deepest_penetration();
   if (deepest.share <= tolerated_penetration) return "";
   return fmt::format(
-      "warning: blocks \"{}\" and \"{}\" were {:.3g} m deep in each other at {:.6g} s, {:.2g} % of the smaller "
-      "one; take stiffer joints or a smaller dt",
+      "warning: blocks \"{}\" and \"{}\" were {:.3g} m deep in each other at {:.6g} s, {:.2g} % of the smaller one; {}",
       name_of(simulation, deepest.block_a), name_of(simulation, deepest.block_b), deepest.depth, deepest.time,
-      100 * deepest.share);
+      100 * deepest.share, remedy_of_depth(simulation.model(), deepest.block_a, deepest.block_b));
 }
 
 // What no contact knows of is in no force either.
@@ -99,6 +98,13 @@ std::string air_warning(const Simulation& simulation, const ReinforcementInAir& 
 }
 
 }  // namespace
+
+std::string remedy_of_depth(const Model& model, int block_a, int block_b) {
+  if (model.is_held(block_a) && model.is_held(block_b))
+    return "both are held, so that nothing keeps them apart but their motions: leave them room, as what acts between "
+           "them, and its energy, mean nothing";
+  return "take stiffer joints or a smaller dt";
+}
 
 std::vector<std::string> warnings_of(const Simulation& simulation) {
   std::vector<std::string> warnings = {penetration_warning(simulation), shared_ground_warning(simulation),

@@ -12,4 +12,7 @@ namespace dda {
 // through air, loads that steps pass over, blocks whose spin pulls them.
 std::vector<std::string> warnings_of(const Simulation& simulation);
 
+// What to do about two blocks that are too deep in each other.
+std::string remedy_of_depth(const Model& model, int block_a, int block_b);
+
 }  // namespace dda

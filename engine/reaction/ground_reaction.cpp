@@ -63,7 +63,7 @@ double mean_pressure(const Simulation& simulation, const std::vector<int>& openi
   for (std::size_t i = 0; i < away.size(); ++i)
     if (!away[i]) force.blocks.push_back(static_cast<int>(i));
   constexpr Eigen::Index normal = 2;
-  const double carried = -contact_force(simulation, force, make_cut(simulation, force))(normal);
+  const double carried = -contact_force(simulation.system(), force, make_cut(simulation.system(), force))(normal);
   return (carried + force_of_water(simulation, wall)) / wall.length;
 }
 

@@ -19,6 +19,7 @@
 #include "engine/simulation/energy_audit.h"
 #include "engine/simulation/excavated.h"
 #include "engine/simulation/external_forces.h"
+#include "engine/simulation/forces_of_parts.h"
 #include "engine/simulation/lining_set.h"
 #include "engine/simulation/load_time.h"
 #include "engine/simulation/settling_drag.h"
@@ -56,11 +57,12 @@ struct BlockForces {
   }
 };
 
-// What is watched of a run while it goes on: its energies, how far blocks go in small kinematics, and which steps were
-// not settled as a whole.
+// What is watched of a run while it goes on: its energies, how far blocks go in small kinematics, which steps were
+// not settled as a whole, and what acted in those that were taken in parts.
 struct RunAudit : EnergyAudit {
   SmallMotionWatch small_motion;
   UnsettledSteps unsettled;
+  ForcesOfParts forces_of_parts;  // of the last step, which no part of a run begins with
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {

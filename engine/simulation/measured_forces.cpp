@@ -5,8 +5,11 @@
 #include "engine/contact/contact_set.h"
 #include "engine/geometry/segment.h"
 #include "engine/model/lining_chord.h"
+#include "engine/model/moving_stages.h"
+#include "engine/model/quantity_names.h"
 #include "engine/model/tolerance.h"
 #include "engine/simulation/block_system.h"
+#include "engine/simulation/linear_states.h"
 
 namespace dda {
 namespace {
@@ -57,22 +60,26 @@ Vec2 damping_of_support(const BlockSystem& system, std::size_t i) {
 }
 
 // The cubic law's normal force is the one its reconstruction has at the interface, as for tractions.
-Vec4 at_interface(const Simulation& simulation, std::size_t i, const InterfaceState& state) {
-  const ContactSet& contacts = simulation.contacts();
+Vec4 at_interface(const BlockSystem& system, std::size_t i, const InterfaceState& state) {
+  const ContactSet& contacts = system.contacts;
   const InterfaceElement& element = contacts.elements.but_for_blocks(i);
   Vec4 force = state.force;
   if (element.law == InterfaceLaw::cubic)
-    force(0) = element.length * mean_traction(simulation.model(), contacts.interfaces[i], element, state)(0);
+    force(0) = element.length * mean_traction(system.model, contacts.interfaces[i], element, state)(0);
   return force;
 }
 
+// In a linear scene it is not kept from step to step.
+InterfaceState state_of(const BlockSystem& system, std::size_t i) {
+  return system.plan.linear ? linear_interface_state(system, i) : system.contacts.states[i];
+}
+
 // Forces on the rows of an interface.
-Vec4 carried(const Simulation& simulation, std::size_t i) {
-  const BlockSystem& system = simulation.system();
-  const Vec4 force = at_interface(simulation, i, simulation.interface_state(i));
+Vec4 carried(const BlockSystem& system, std::size_t i) {
+  const Vec4 force = at_interface(system, i, state_of(system, i));
   const double damping = damping_of_stiffness(system);
   if (damping == 0) return force + system.contacts.states[i].dashpot;
-  return force + damping * at_interface(simulation, i, rate_of(system, i));
+  return force + damping * at_interface(system, i, rate_of(system, i));
 }
 
 // On one of the two blocks, whose rows these are, about its centroid.
@@ -141,16 +148,16 @@ int side_cut(const Model& model, const Measurement& measurement, const Interface
 // Calls visit(index, block, force, carried) for every contact that is cut: its block on the measured side, the force on
 // that about its centroid, and the forces on the contact's rows.
 template <typename Visit>
-void visit_cut(const Simulation& simulation, const Measurement& measurement, const Cut& cut, Visit visit) {
-  const ContactSet& contacts = simulation.contacts();
+void visit_cut(const BlockSystem& system, const Measurement& measurement, const Cut& cut, Visit visit) {
+  const ContactSet& contacts = system.contacts;
   const std::size_t count = cut.interfaces ? cut.interfaces->size() : contacts.interfaces.size();
   InterfaceElement room;
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t i = cut.interfaces ? (*cut.interfaces)[k] : k;
     const InterfaceElement& element = contacts.elements.read(i, room);
-    const int side = side_cut(simulation.model(), measurement, contacts.interfaces[i]);
+    const int side = side_cut(system.model, measurement, contacts.interfaces[i]);
     if (side == 0) continue;
-    const Vec4 force = carried(simulation, i);
+    const Vec4 force = carried(system, i);
     if (side > 0) {
       visit(i, element.block_a, on_block(element, element.rows_a, force), force);
     } else {
@@ -159,8 +166,7 @@ void visit_cut(const Simulation& simulation, const Measurement& measurement, con
   }
 }
 
-ForceAndMoment across_linings(const Simulation& simulation, const Measurement& line) {
-  const BlockSystem& system = simulation.system();
+ForceAndMoment across_linings(const BlockSystem& system, const Measurement& line) {
   ForceAndMoment sum = ForceAndMoment::Zero();
   std::size_t next = 0;
   for (const Lining& lining : system.model.linings) {
@@ -177,8 +183,7 @@ ForceAndMoment across_linings(const Simulation& simulation, const Measurement& l
   return sum;
 }
 
-ForceAndMoment across_bolts(const Simulation& simulation, const Measurement& line) {
-  const BlockSystem& system = simulation.system();
+ForceAndMoment across_bolts(const BlockSystem& system, const Measurement& line) {
   ForceAndMoment sum = ForceAndMoment::Zero();
   std::size_t next = 0;
   for (const Bolt& bolt : system.model.bolts) {
@@ -197,8 +202,7 @@ ForceAndMoment across_bolts(const Simulation& simulation, const Measurement& lin
 
 }  // namespace
 
-ForceAndMoment reaction(const Simulation& simulation, const Measurement& measurement) {
-  const BlockSystem& system = simulation.system();
+ForceAndMoment reaction(const BlockSystem& system, const Measurement& measurement) {
   ForceAndMoment sum = ForceAndMoment::Zero();
   for (const int i : measurement.supports) {
     const SupportElement& support = system.supports[at(i)];
@@ -214,39 +218,64 @@ ForceAndMoment reaction(const Simulation& simulation, const Measurement& measure
   return sum;
 }
 
-Cut make_cut(const Simulation& simulation, const Measurement& measurement) {
-  const Model& model = simulation.model();
-  if (simulation.follows_contacts() || model.removes_blocks() || model.adds_blocks()) return {};
+Cut make_cut(const BlockSystem& system, const Measurement& measurement) {
+  const Model& model = system.model;
+  const bool follows_contacts = system.contacts.can_change && has_finite_kinematics(model);
+  if (follows_contacts || model.removes_blocks() || model.adds_blocks()) return {};
   Cut cut{std::vector<std::size_t>()};
-  const std::vector<Interface>& interfaces = simulation.contacts().interfaces;
+  const std::vector<Interface>& interfaces = system.contacts.interfaces;
   for (std::size_t i = 0; i < interfaces.size(); ++i)
-    if (side_cut(simulation.model(), measurement, interfaces[i]) != 0) cut.interfaces->push_back(i);
+    if (side_cut(system.model, measurement, interfaces[i]) != 0) cut.interfaces->push_back(i);
   return cut;
 }
 
-bool cuts_something(const Simulation& simulation, const Measurement& measurement) {
-  const std::vector<Interface>& interfaces = simulation.contacts().interfaces;
-  return std::any_of(interfaces.begin(), interfaces.end(), [&](const Interface& interface) {
-    return side_cut(simulation.model(), measurement, interface) != 0;
-  });
+bool cuts_something(const BlockSystem& system, const Measurement& measurement) {
+  const std::vector<Interface>& interfaces = system.contacts.interfaces;
+  return std::any_of(interfaces.begin(), interfaces.end(),
+                     [&](const Interface& interface) { return side_cut(system.model, measurement, interface) != 0; });
 }
 
-Eigen::Vector4d contact_force(const Simulation& simulation, const Measurement& measurement, const Cut& cut) {
+Eigen::Vector4d contact_force(const BlockSystem& system, const Measurement& measurement, const Cut& cut) {
   Eigen::Vector4d sum = Eigen::Vector4d::Zero();
-  const InterfaceElements& elements = simulation.contacts().elements;
-  visit_cut(simulation, measurement, cut, [&](std::size_t i, int, const Vec3& force, const Vec4& carried) {
+  const InterfaceElements& elements = system.contacts.elements;
+  visit_cut(system, measurement, cut, [&](std::size_t i, int, const Vec3& force, const Vec4& carried) {
     sum.head<2>() += force.head<2>();
     sum.tail<2>() += carried_force(elements.but_for_blocks(i), carried);
   });
   return sum;
 }
 
-ForceAndMoment resultant(const Simulation& simulation, const Measurement& measurement, const Cut& cut) {
-  ForceAndMoment sum = across_bolts(simulation, measurement) + across_linings(simulation, measurement);
-  visit_cut(simulation, measurement, cut, [&](std::size_t, int block, const Vec3& force, const Vec4&) {
-    sum += moved_to(measurement.about, simulation.system(), block, force);
+ForceAndMoment resultant(const BlockSystem& system, const Measurement& measurement, const Cut& cut) {
+  ForceAndMoment sum = across_bolts(system, measurement) + across_linings(system, measurement);
+  visit_cut(system, measurement, cut, [&](std::size_t, int block, const Vec3& force, const Vec4&) {
+    sum += moved_to(measurement.about, system, block, force);
   });
   return sum;
+}
+
+bool is_of_forces(const Measurement& measurement) {
+  const Subject subject = subject_of(measurement.quantity);
+  return subject == Subject::reaction || subject == Subject::contact_force || subject == Subject::resultant;
+}
+
+void write_forces(const BlockSystem& system, const Measurement& measurement, const Cut& cut, std::span<double> values) {
+  const auto write = [&](const auto& forces) { std::copy(forces.begin(), forces.end(), values.begin()); };
+  const Subject subject = subject_of(measurement.quantity);
+  if (subject == Subject::reaction) write(reaction(system, measurement));
+  if (subject == Subject::contact_force) write(contact_force(system, measurement, cut));
+  if (subject == Subject::resultant) write(resultant(system, measurement, cut));
+}
+
+void note_part(double dt, BlockSystem& system) {
+  std::vector<double> values;
+  ForcesOfParts& parts = system.audit.forces_of_parts;
+  parts.begin_part(dt);
+  for (std::size_t i = 0; i < system.model.measurements.size(); ++i) {
+    const Measurement& measurement = system.model.measurements[i];
+    values.resize(is_of_forces(measurement) ? histories_of(measurement.quantity).size() : 0);
+    write_forces(system, measurement, {}, values);
+    parts.add(i, values);
+  }
 }
 
 }  // namespace dda

@@ -47,11 +47,11 @@ int interface_of(const Simulation& simulation, const Measurement& measurement) {
 // Blocks that nothing holds together now may touch later; a line through them must cross something that is there.
 Cut cut_of(const Simulation& simulation, const Measurement& measurement) {
   const bool may_come = measurement.quantity == Quantity::contact_force && simulation.follows_contacts();
-  if (!may_come && !cuts_something(simulation, measurement))
+  if (!may_come && !cuts_something(simulation.system(), measurement))
     throw InputError("", fmt::format("measurements \"{}\"", measurement.name), "where no blocks touch",
                      measurement.quantity == Quantity::resultant ? "a line with touching blocks on its two sides"
                                                                  : "two sides that touch");
-  return make_cut(simulation, measurement);
+  return make_cut(simulation.system(), measurement);
 }
 
 // Where contacts are followed faces may come later.
@@ -164,7 +164,11 @@ void Probes::sample(const Simulation& simulation, std::span<double> values) cons
   const std::vector<Measurement>& measurements = simulation.model().measurements;
   for (std::size_t i = 0; i < places_.size(); ++i) {
     const std::size_t count = histories_of(measurements[i].quantity).size();
-    write(simulation, measurements[i], places_[i], values.first(count));
+    const std::span<const double> of_parts = simulation.system().audit.forces_of_parts.mean(i);
+    if (of_parts.empty())
+      write(simulation, measurements[i], places_[i], values.first(count));
+    else
+      copy(of_parts, values);
     values = values.subspan(count);
   }
 }
@@ -182,9 +186,9 @@ void Probes::write(const Simulation& simulation, const Measurement& measurement,
       values[0] = measurement.quantity == Quantity::traction_normal ? mean(0) : mean(1);
       break;
     }
-    case Subject::reaction: copy(reaction(simulation, measurement), values); break;
-    case Subject::contact_force: copy(contact_force(simulation, measurement, place.cut), values); break;
-    case Subject::resultant: copy(resultant(simulation, measurement, place.cut), values); break;
+    case Subject::reaction:
+    case Subject::contact_force:
+    case Subject::resultant: write_forces(simulation.system(), measurement, place.cut, values); break;
     case Subject::excess_shear: copy(excess_shear(simulation.system(), measurement), values); break;
     case Subject::contacts: write_statistics(simulation, values); break;
   }

@@ -19,6 +19,7 @@
 #include "engine/simulation/held_blocks.h"
 #include "engine/simulation/integrator_choice.h"
 #include "engine/simulation/linear_step.h"
+#include "engine/simulation/measured_forces.h"
 #include "engine/simulation/parts_of_stage.h"
 #include "engine/simulation/prescribed_motion.h"
 #include "engine/simulation/reinforcement_of_stage.h"
@@ -169,6 +170,7 @@ Status Simulation::step() {
   BlockSystem& s = *system_;
   if (!s.clock.begun) begin_stage();  // of a run that was restored between two stages
   s.clock.passes_before_step = s.costs.counters.open_close_iterations;
+  s.audit.forces_of_parts.clear();
   if (const Status ahead = step_free_field(s, message_); ahead != Status::ok) return ahead;
   note_asked_balance(s, in_situ_force_);
   const auto advance_by = [this](double dt, Taken taken) { return stage_step().advance(dt, taken); };
@@ -201,6 +203,8 @@ Status Simulation::advance(double dt, int reductions_left) {
   const bool can_be_cut = !stage.integrator.is_static && reductions_left > 0 && cuts < cuts_before_sure_passes;
   const auto take = [&] { return stage_step().advance(dt, can_be_cut ? Taken::unless_cut : Taken::to_the_end); };
   const Status status = cuts == 0 ? take() : memory_.part(dt, system_->contacts, system_->state.acceleration, take);
+  // Static steps take no time: what acts at their end is all that they are taken for.
+  if (status == Status::ok && cuts > 0 && !system_->plan.is_static) note_part(dt, *system_);
   if (status != Status::not_converged || reductions_left == 0) return status;
   if (cuts == 0) memory_.begin(system_->terms.inertia, system_->contacts, system_->state.acceleration);
   for (int half = 0; half < 2; ++half)

@@ -61,8 +61,8 @@ std::vector<std::string> rebound_remarks(const Model& model, const ContactSet& c
     if (joint.bonded || joint.contact_damping == 0 || !is_too_stiff(joint, young)) continue;
     remarks.push_back(fmt::format(
         "joint \"{}\": its contact_damping of {:g} does not set how blocks rebound, as they are softer than its "
-        "springs: "
-        "they keep 0.5 to 0.9 of their speed whatever it is; for an inelastic impact take \"law\": \"classical\", a "
+        "springs: they keep 0.5 to 0.9 of their speed whatever it is; for an inelastic impact take \"law\": "
+        "\"classical\", a "
         "normal_spring of {:.2g} N/m (a tenth of young) and a contact_damping of 1",
         joint.name, joint.contact_damping, 0.1 * young));
   }

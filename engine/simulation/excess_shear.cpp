@@ -56,7 +56,7 @@ class JudgedPoints {
 
   const std::vector<JudgedPoint>& of(std::size_t i) {
     const BlockSystem& s = system_;
-    const InterfaceState state = s.plan.linear ? linear_interface_state(s, i) : s.contacts.states[i];
+    const InterfaceState state = interface_state_now(s, i);
     found_.clear();
     const EndStrength& strength = s.contacts.strengths[i];
     const InterfaceElement element = s.contacts.elements[i];

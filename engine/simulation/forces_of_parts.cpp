@@ -1,9 +1,12 @@
 #include "engine/simulation/forces_of_parts.h"
 
+#include <algorithm>
+
 namespace dda {
 
 void ForcesOfParts::begin_part(double dt) {
-  if (length_ == 0) means_.clear();
+  if (length_ == 0)
+    for (std::vector<double>& means : means_) std::ranges::fill(means, 0.0);
   length_ += dt;
   share_ = dt / length_;
 }

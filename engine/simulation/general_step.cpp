@@ -40,12 +40,6 @@ constexpr double geometry_tolerance = 1e-6;
 // is cut. Two solutions are enough for what falls or is thrown; loose blocks of a static stage take a few.
 constexpr int most_rounds = 10;
 
-// Blocks that move can come to touch, whether they do at the start or not, unless all joints are bonded.
-bool contacts_move(const Model& model) {
-  const bool can_touch = model.blocks.size() > 1 && !std::ranges::all_of(model.joints, &JointMaterial::bonded);
-  return can_touch && has_finite_kinematics(model);
-}
-
 ContactRule contact_rule(const Model& model, const Stage& stage, double dt) {
   const Integrator& integrator = stage.integrator;
   const double rate = integrator.is_static ? 0 : 1 / (dt * (1 - integrator.alpha_f));

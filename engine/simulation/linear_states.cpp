@@ -14,6 +14,10 @@ InterfaceState linear_interface_state(const BlockSystem& system, std::size_t ind
                       state.stress[a], state.stress[b]);
 }
 
+InterfaceState interface_state_now(const BlockSystem& system, std::size_t index) {
+  return system.plan.linear ? linear_interface_state(system, index) : system.contacts.states[index];
+}
+
 void write_linear_states(BlockSystem& system) {
   std::vector<InterfaceState>& states = system.contacts.states;
   for (std::size_t i = 0; i < states.size(); ++i) states[i] = linear_interface_state(system, i);

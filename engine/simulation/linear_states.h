@@ -9,8 +9,9 @@
 
 namespace dda {
 
-// The state of one interface now.
+// The state of one interface now: in a linear stage, and in any.
 InterfaceState linear_interface_state(const BlockSystem& system, std::size_t index);
+InterfaceState interface_state_now(const BlockSystem& system, std::size_t index);
 
 // Writes the states of all contacts as they are now.
 void write_linear_states(BlockSystem& system);

@@ -69,14 +69,9 @@ Vec4 at_interface(const BlockSystem& system, std::size_t i, const InterfaceState
   return force;
 }
 
-// In a linear scene it is not kept from step to step.
-InterfaceState state_of(const BlockSystem& system, std::size_t i) {
-  return system.plan.linear ? linear_interface_state(system, i) : system.contacts.states[i];
-}
-
 // Forces on the rows of an interface.
 Vec4 carried(const BlockSystem& system, std::size_t i) {
-  const Vec4 force = at_interface(system, i, state_of(system, i));
+  const Vec4 force = at_interface(system, i, interface_state_now(system, i));
   const double damping = damping_of_stiffness(system);
   if (damping == 0) return force + system.contacts.states[i].dashpot;
   return force + damping * at_interface(system, i, rate_of(system, i));
@@ -220,8 +215,7 @@ ForceAndMoment reaction(const BlockSystem& system, const Measurement& measuremen
 
 Cut make_cut(const BlockSystem& system, const Measurement& measurement) {
   const Model& model = system.model;
-  const bool follows_contacts = system.contacts.can_change && has_finite_kinematics(model);
-  if (follows_contacts || model.removes_blocks() || model.adds_blocks()) return {};
+  if (contacts_move(model) || model.removes_blocks() || model.adds_blocks()) return {};
   Cut cut{std::vector<std::size_t>()};
   const std::vector<Interface>& interfaces = system.contacts.interfaces;
   for (std::size_t i = 0; i < interfaces.size(); ++i)

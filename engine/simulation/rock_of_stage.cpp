@@ -39,7 +39,7 @@ double change_springs(const std::vector<bool>& others, bool gaps_are_measured, B
     if (!others[static_cast<std::size_t>(s.contacts.interfaces[i].joint)]) continue;
     InterfaceElement& element = s.contacts.elements.edit()[i];
     if (!can_open_or_slide(element)) continue;  // has no springs
-    InterfaceState own = s.plan.linear ? linear_interface_state(s, i) : s.contacts.states[i];
+    InterfaceState own = interface_state_now(s, i);
     stored -= interface_energy(element, own);
     renew_springs(s.model, s.state, s.contacts.interfaces[i], gaps_are_measured, element, own);
     stored += interface_energy(element, own);

@@ -29,7 +29,7 @@ struct Slide {
   Vec2 velocity = Vec2::Zero();
 };
 
-// Its right side, and its left one for joints that lean, turned about the upper corner or the lower one.
+// The block's front turns about its lower corner, the sides of a base about their upper ones, which stay flush.
 void lean_front(const Slide& slide, Block& block) { block.shape.outer[2].x() += slide.height * std::tan(slide.lean); }
 
 void lean_sides(const Slide& slide, Block& base) {

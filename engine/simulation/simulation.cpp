@@ -107,9 +107,7 @@ const Simulation* Simulation::free_field_columns() const {
   return system_->free_field ? &system_->free_field->columns() : nullptr;
 }
 
-InterfaceState Simulation::interface_state(std::size_t index) const {
-  return system_->plan.linear ? linear_interface_state(*system_, index) : system_->contacts.states[index];
-}
+InterfaceState Simulation::interface_state(std::size_t index) const { return interface_state_now(*system_, index); }
 
 Counters Simulation::counters() const {
   Counters counters = system_->costs.counters;

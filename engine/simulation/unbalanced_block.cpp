@@ -39,7 +39,7 @@ std::vector<std::vector<ContactPoint>> points_of(const std::vector<int>& blocks,
   for (std::size_t i = 0; i < s.contacts.elements.size(); ++i) {
     const InterfaceElement& element = s.contacts.elements.read(i, room);
     if (place[at(element.block_a)] < 0 && place[at(element.block_b)] < 0) continue;
-    const InterfaceState state = s.plan.linear ? linear_interface_state(s, i) : s.contacts.states[i];
+    const InterfaceState state = interface_state_now(s, i);
     points.clear();
     append_contact_points(s.model, s.state, s.contacts.interfaces[i], element, state, points);
     std::erase_if(points, [](const ContactPoint& point) { return point.force().isZero(0); });

@@ -14,9 +14,21 @@ namespace {
 // in an equilibrium that does not last: without inertia nothing tells it from others. What strain turns is below that.
 constexpr double most_turn_at_once = 2e-3;
 
-bool some_block_turns_far(const Eigen::VectorXd& increment) {
-  for (Eigen::Index turn = 2; turn < increment.size(); turn += 6)
-    if (std::abs(increment(turn)) > most_turn_at_once) return true;
+// Only what leans on others can be in such an equilibrium; what hangs on bolts or is glued on turns by what these give.
+bool turns_far(int block, const Eigen::VectorXd& increment) {
+  return std::abs(increment(6 * block + 2)) > most_turn_at_once;
+}
+
+bool leans(const InterfaceTrial& trial) {
+  return (trial.broken[0] && trial.active(0) > 0) || (trial.broken[1] && trial.active(2) > 0);
+}
+
+bool some_block_turns_far(const InterfaceTrials& contacts, const Eigen::VectorXd& increment) {
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const InterfaceElement& element = contacts.element(k);
+    if (leans(contacts[k]) && (turns_far(element.block_a, increment) || turns_far(element.block_b, increment)))
+      return true;
+  }
   return false;
 }
 
@@ -48,7 +60,7 @@ bool hardly_slips(const BlockSystem& system, const ContactSolver& solved, const 
     const std::array<bool, 2> broken = ends_that_break(system, solved.increment(), static_cast<std::size_t>(joint));
     return broken[0] || broken[1];
   };
-  if (system.plan.finite_kinematics && some_block_turns_far(solved.increment())) return false;
+  if (system.plan.finite_kinematics && some_block_turns_far(solved.contacts(), solved.increment())) return false;
   if (solution.something_broke() || many_contacts_slip(solved.contacts())) return false;
   return !system.plan.contacts_judged || std::ranges::none_of(bonded, breaks);
 }

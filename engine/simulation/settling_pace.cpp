@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "engine/model/extent.h"
+#include "engine/model/gives_way.h"
 
 namespace dda {
 namespace {
@@ -18,6 +19,11 @@ constexpr double shortest = 1e-4;
 // that is more than the longest in transit times: what weight alone holds, as a hinged arch, has a period of some
 // sqrt(D/g).
 constexpr double longest_by_weight = 0.3;
+
+// Where something gives way for good the first long step is so long that inertia is nothing: with a little of it soft
+// bolts carry less, and stiff ones more, than they will, and yield by it. (Bolts with 5 to 20 % more than they must
+// carry yielded in 9 of 56 blocks that hung on three of them.)
+constexpr double longest_where_something_gives_way = 1e4;
 
 constexpr double long_enough = 0.5;  // of the longest, for inertia to be nothing beside friction
 
@@ -57,11 +63,16 @@ bool is_convex(const Stage& stage, bool contacts_can_change) {
   return (stage.unlimited_strength && stage.kinematics == Kinematics::small) || !contacts_can_change;
 }
 
+// In transit times.
+double long_first_step(const Model& model) {
+  return something_gives_way(model) ? longest_where_something_gives_way : longest;
+}
+
 }  // namespace
 
 double first_step(const Model& model, const Stage& stage, bool contacts_can_change) {
   if (!stage.paces_itself()) return stage.dt;
-  return (is_convex(stage, contacts_can_change) ? longest : first_with_friction) * transit_time(model);
+  return (is_convex(stage, contacts_can_change) ? long_first_step(model) : first_with_friction) * transit_time(model);
 }
 
 void SettlingPace::begin(const Model& model, const Stage& stage, bool contacts_can_change, bool in_parts) {
@@ -71,7 +82,7 @@ void SettlingPace::begin(const Model& model, const Stage& stage, bool contacts_c
   growth_ = fast_growth;
   in_parts_ = in_parts;
   tries_ = !is_convex_ && !in_parts;
-  dt_ = tries_ ? longest * transit_ : first_step(model, stage, contacts_can_change);
+  dt_ = tries_ ? long_first_step(model) * transit_ : first_step(model, stage, contacts_can_change);
 }
 
 void SettlingPace::settled(std::int64_t passes, bool is_sure) {

@@ -11,7 +11,8 @@ BoltRows bolt_rows(const Vec2& direction, const Vec2& arm_a, const Vec2& arm_b) 
 BoltAnswer bolt_answer(const BoltLaw& law, const Vec2& gap) {
   BoltAnswer answer{law.stiffness.cwiseProduct(gap), Vec2::Ones()};
   for (Eigen::Index i = 0; i < 2; ++i) {
-    if (answer.force(i) > law.least(i) && answer.force(i) < law.most(i)) continue;
+    // What is neither slack nor taut is taken to carry: a block that hangs on such bolts alone would else have nothing.
+    if (answer.force(i) >= law.least(i) && answer.force(i) < law.most(i)) continue;
     if (law.stiffness(i) == 0) continue;
     answer.force(i) = answer.force(i) >= law.most(i) ? law.most(i) : law.least(i);
     answer.active(i) = 0;

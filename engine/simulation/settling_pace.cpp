@@ -81,7 +81,7 @@ void SettlingPace::begin(const Model& model, const Stage& stage, bool contacts_c
   is_convex_ = is_convex(stage, contacts_can_change);
   growth_ = fast_growth;
   in_parts_ = in_parts;
-  tries_ = !is_convex_ && !in_parts;
+  tries_ = !is_convex_ && (!in_parts || something_gives_way(model));
   dt_ = tries_ ? long_first_step(model) * transit_ : first_step(model, stage, contacts_can_change);
 }
 

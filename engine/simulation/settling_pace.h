@@ -13,6 +13,7 @@
 // What weight alone holds has a slower mode, with a period of some sqrt(D/g), D the diameter: steps may be longer then.
 // Where they come at once one long step is tried before the first short one, and taken if next to nothing slips in it
 // (hardly_slips.h): what inertia holds back in the short ones makes contacts slip that the whole load presses together.
+// Where something yields or breaks it is tried with the first part of loads too, as weight comes at once with that.
 #pragma once
 
 #include <cstdint>

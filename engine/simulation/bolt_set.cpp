@@ -59,6 +59,7 @@ void place(const Model& model, const State& acting, const Bolt& bolt, const Bolt
   };
   link.rows = bolt_rows(direction_in(model, acting, bolt, drawn), arm(drawn.block_a, drawn.point_a),
                         arm(drawn.block_b, drawn.point_b));
+  if (!bolt.grouted) link.span = (drawn.point_b - drawn.point_a + change_of_span(model, acting, drawn)).norm();
 }
 
 // In small kinematics `acting` is the drawing and gaps are summed up from steps, so that nothing is measured again.
@@ -83,6 +84,7 @@ void leave_waiting(LinkElement& link) {
 
 void take_over(const LinkElement& before, LinkElement& link) {
   link.start = before.start;
+  link.span = before.span;
   link.rows = before.rows;
   link.state = before.state;
 }

@@ -28,13 +28,10 @@
 #include "engine/simulation/prescribed_motion.h"
 #include "engine/simulation/step_limits.h"
 #include "engine/simulation/system_matrix.h"
+#include "engine/simulation/turning_stiffness.h"
 
 namespace dda {
 namespace {
-
-// Geometry is followed, and the matrix built anew, when some block has moved by this share of its size: directions are
-// then off by as much, and gaps by half its square.
-constexpr double geometry_tolerance = 1e-6;
 
 // How often a step is solved with contacts looked for from further away, or with more drag on loose blocks, before it
 // is cut. Two solutions are enough for what falls or is thrown; loose blocks of a static stage take a few.
@@ -154,7 +151,8 @@ Status GeneralStep::solve_far_enough() {
 // The problem of the step under way.
 void GeneralStep::pose() {
   face_loads_.take_back(system_);
-  if (cushion_.is_in()) base_is_current_ = false;  // it is between the ends that touch now
+  if (cushion_.is_in()) base_is_current_ = false;                               // it is between the ends that touch now
+  if (base_turns_ || has_turning_stiffness(system_)) base_is_current_ = false;  // by the tension there is now
   aim(system_.model, system_.state, system_.load_time_after(system_.coefficients.dt), system_.held);
   if (takes_blocks_along(system_)) carry_along(system_);
   if (system_.plan.finite_kinematics) follow_geometry();
@@ -183,8 +181,9 @@ bool GeneralStep::moves_further_than_seen() {
 void GeneralStep::follow_geometry() {
   const double ahead = system_.coefficients.acts_at * system_.coefficients.dt;
   const double coming = largest_motion_within(system_, ahead);
-  if (std::max(moved_, coming) > geometry_tolerance)
-    place_geometry(coming > geometry_tolerance ? coming : 0);
+  const double tolerance = geometry_tolerance(system_.stage());
+  if (std::max(moved_, coming) > tolerance)
+    place_geometry(coming > tolerance ? coming : 0);
   else
     foresee_nothing(system_.supports);
 }
@@ -245,6 +244,7 @@ void GeneralStep::assemble_base() {
   assemble_base_matrix(s.coefficients, s.terms, s.damping, s.supports, s.contacts, bonded_, base_);
   s.reinforcement.linings.add_stiffness(s.coefficients.stiffness, base_);
   if (s.plan.is_static) s.drag.add_to(s.terms, s.coefficients, base_);
+  base_turns_ = add_turning_stiffness(s, base_);
   cushion_.add_to(s, changing_, base_);
   base_is_current_ = true;
   ++base_version_;
@@ -363,7 +363,8 @@ void GeneralStep::accept() {
   BlockSystem& s = system_;
   double work = inertia_work(s.coefficients, s.terms, s.state, s.increment);
   if (feels_spin(s.plan)) work -= centrifugal_work(s.terms, s.increment);
-  if (s.plan.is_static) work += s.drag.work(s.terms, s.coefficients, s.increment) + cushion_.work(s, changing_);
+  if (s.plan.is_static)
+    work += s.drag.work(s.terms, s.coefficients, s.increment) + cushion_.work(s, changing_) + turning_work(s);
   given_friction_.settled(s);
   if (given_friction_.was_given()) ++s.costs.counters.steps_of_given_friction;
   const bool more_are_loose = s.plan.is_static && s.stage().equilibrium > 0 && finds_loose_blocks(s);
@@ -372,7 +373,7 @@ void GeneralStep::accept() {
   move_blocks(s.stage().kinematics, s);
   if (s.plan.finite_kinematics) moved_ += largest_motion(system_);
   // What only a matrix built anew may see: the next step follows the geometry.
-  const bool geometry_is_late = s.plan.finite_kinematics && moved_ > geometry_tolerance;
+  const bool geometry_is_late = s.plan.finite_kinematics && moved_ > geometry_tolerance(s.stage());
   if (geometry_is_late) keep_angular_momenta(s.model, s.state, s.terms);
   accept_contacts(solver_.contacts(), moving_.has_value(), s);
   if (!s.stage().paces_itself()) note_penetrations();

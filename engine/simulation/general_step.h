@@ -63,7 +63,7 @@ class GeneralStep : public Step {
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
     auto& [system, solver, moving, range, moved, acting, deepest, cushion, given_friction, face_loads, changing, bonded,
-           base, base_version, base_is_current, rule, rhs, taken, message] = self;
+           base, base_version, base_is_current, base_turns, rule, rhs, taken, message] = self;
     if (moving) {
       archive(*moving);
       archive.expect(moving->known_contacts() == system.contacts.interfaces.size());
@@ -110,6 +110,7 @@ class GeneralStep : public Step {
   BlockMatrix base_;                    // of the problem: all but the contacts that can change and bolts
   std::uint64_t base_version_ = 0;
   bool base_is_current_ = false;
+  bool base_turns_ = false;  // it has some stiffness of turning_stiffness.h
   ContactRule rule_;
   Eigen::VectorXd rhs_;
   Taken taken_ = Taken::to_the_end;  // the step under way

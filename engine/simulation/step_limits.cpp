@@ -64,6 +64,12 @@ double largest_motion(const BlockTerms& terms, const Eigen::VectorXd& increments
 
 }  // namespace
 
+double geometry_tolerance(const Stage& stage) {
+  constexpr double most = 1e-6;
+  constexpr double of_balance = 1e-3;  // bolts may be that much shorter than blocks, and turn by so much more
+  return stage.integrator.is_static && stage.equilibrium > 0 ? std::min(of_balance * stage.equilibrium, most) : most;
+}
+
 bool is_shortest_part(const BlockSystem& system) {
   const Stage& stage = system.stage();
   return system.coefficients.dt <= std::ldexp(stage.dt_of(system.clock.step), -stage.limits.step_reductions);

@@ -35,6 +35,7 @@ struct LinkElement {
   double rupture_elongation = 0;
   double pretension_gap = 0;  // m
   Vec2 start = Vec2::Zero();  // m, by how much the anchors had parted when it was put in
+  double span = 0;            // m, between the anchors, where the rows were taken; 0: it turns with its blocks
   BoltRows rows;
   LinkState state;
 
@@ -45,8 +46,8 @@ struct LinkElement {
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [block_a, block_b, law, rupture_elongation, pretension_gap, start, rows, state] = self;
-    archive(start, rows.a, rows.b, state);  // the others are the model's
+    auto& [block_a, block_b, law, rupture_elongation, pretension_gap, start, span, rows, state] = self;
+    archive(start, span, rows.a, rows.b, state);  // the others are the model's
   }
 };
 

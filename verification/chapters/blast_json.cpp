@@ -4,6 +4,7 @@
 #include "engine/core/error.h"
 #include "engine/core/read_file.h"
 #include "engine/record/atomic_file.h"
+#include "engine/record/progress.h"
 #include "verification/chapters/chapter_4.h"
 
 namespace verify {
@@ -76,7 +77,7 @@ BlastStudy chapter_4_study(const std::filesystem::path& folder) {
   const auto file = folder / "blast.json";
   if (std::filesystem::exists(file)) return blast_from_json(dda::read_file(file));
   std::filesystem::create_directories(folder);
-  BlastStudy study = run_blast_study(thesis_blast(), {});
+  BlastStudy study = run_blast_study(thesis_blast(), {.progress = dda::terminal()});
   dda::write_file(file, blast_json(study));
   return study;
 }

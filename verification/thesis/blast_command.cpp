@@ -5,6 +5,7 @@
 
 #include "engine/core/read_file.h"
 #include "engine/record/atomic_file.h"
+#include "engine/record/progress.h"
 #include "verification/study/markdown.h"
 #include "verification/study/page_check.h"
 #include "verification/thesis/blast_report.h"
@@ -18,7 +19,7 @@ constexpr int last_digits = 5;
 
 std::string made_page() {
   const ThesisBlast& blast = thesis_blast();
-  return to_markdown(blast_report(blast, run_blast_study(blast, {})));
+  return to_markdown(blast_report(blast, run_blast_study(blast, {.progress = dda::terminal()})));
 }
 
 struct BlastArguments {
@@ -43,7 +44,7 @@ StudyCommand blast_command() {
   return study_command<BlastArguments>(
       "blast",
       "The blast of Zelig (2015), chapter 4, as far as its text defines it: Table 4.1 and peak stresses beside this "
-      "engine's, with three kinds of joints and by the radial wave equation.\nWrites blast.md; about a minute. Exit "
+      "engine's, with three kinds of joints and by the radial wave equation.\nWrites blast.md; some five minutes. Exit "
       "code 1 with --check if the page is stale.",
       [](BlastArguments& a) -> std::vector<CommandOption> {
         return {{"--out", &a.folder, "folder of the page; made if it is not there"},

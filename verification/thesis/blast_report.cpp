@@ -253,7 +253,7 @@ Document blast_report(const ThesisBlast& blast, const BlastStudy& study) {
   document.title = "The blast of chapter 4";
   document.subtitle =
       "R. Zelig, Rockbursts simulations with the numerical DDA method (2015), beside this engine; made by `dda-verify "
-      "blast --out DIR`";
+      "blast --out DIR` in some five minutes";
   document.sections.push_back(text_says(blast));
   document.sections.push_back(assumptions(blast, study));
   document.sections.push_back(runs(study));

@@ -2,6 +2,7 @@
 // each.
 #pragma once
 
+#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -48,10 +49,11 @@ struct BlastStudy {
 };
 
 struct BlastOptions {
-  BlastMesh mesh;
+  BlastMesh mesh = {};
   double duration = 22e-3;                                                // s
   std::vector<double> decay_times{0.364e-3, 0.729e-3, 2e-3, 4e-3, 8e-3};  // s, on a small mesh
   double duration_of_edges = 9e-3;                                        // s, of a small mesh and one twice as large
+  std::ostream* progress = nullptr;                                       // a terminal, or none
 };
 
 // Throws std::runtime_error, saying when and why, if a run fails.

@@ -361,6 +361,7 @@ bool GeneralStep::is_in_contact_range() {
 void GeneralStep::accept() {
   const PhaseScope scope(Phase::acceptance);
   BlockSystem& s = system_;
+  const double settling_before = taken_by_settling(s.audit.ledger());
   double work = inertia_work(s.coefficients, s.terms, s.state, s.increment);
   if (feels_spin(s.plan)) work -= centrifugal_work(s.terms, s.increment);
   if (s.plan.is_static)
@@ -375,7 +376,7 @@ void GeneralStep::accept() {
   // What only a matrix built anew may see: the next step follows the geometry.
   const bool geometry_is_late = s.plan.finite_kinematics && moved_ > geometry_tolerance(s.stage());
   if (geometry_is_late) keep_angular_momenta(s.model, s.state, s.terms);
-  accept_contacts(solver_.contacts(), moving_.has_value(), s);
+  const double beyond_end = accept_contacts(solver_.contacts(), moving_.has_value(), s);
   if (!s.stage().paces_itself()) note_penetrations();
   if (s.plan.contacts_can_change && s.plan.finite_kinematics)  // or contacts stay as drawn, and nothing can pass
     note_depths_in_thickness(s.model, s.state, s.contacts, range_.least_widths(), deepest_.in_thickness);
@@ -385,6 +386,7 @@ void GeneralStep::accept() {
   s.sum_internal_forces(s.forces.internal_new);
   face_loads_.accept(s);
   finish_step(work, s.stored_energy_now(), s);
+  keep_friction_to_balance(settling_before, beyond_end, s);
   if (geometry_is_late) turn_strains_home(s.state, s.terms);  // what is recorded has the directions of now
   if (more_are_loose) s.drag.hold_loose(s.model.blocks.size(), s.held);
 }

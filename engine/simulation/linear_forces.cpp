@@ -73,13 +73,16 @@ void LinearForces::begin() {
   internal_at_rest = s.forces.internal_old - elastic_force;
   operators->inertia.multiply(flat(s.state.velocity), momentum);
   // Contact energy of the first moment, interface by interface; later ones follow from the elastic energy of the whole,
-  // and those of later stages go on from the ledger, unless what it counts ends with the corrections.
-  const double contact = s.clock.stage == 0 || corrections_end ? contact_energy() : s.audit.ledger().contact;
+  // and those of later stages go on from the ledger, unless what it counts ends with the corrections. Whatever
+  // takes these away works, as what changes moduli does: it is no damping of the stage that begins.
+  const double contact_before = s.audit.ledger().contact;
+  const double contact = s.clock.stage == 0 || corrections_end ? contact_energy() : contact_before;
   energy_offset =
       contact + s.reinforcement.linings.stored_energy() + strain_energy(s.terms, s.state) - elastic_energy();
   if (s.clock.stage > 0) {
     const StoredEnergy stored = stored_energy();
     s.audit.kinetic_counted_as(stored.kinetic);  // corrections and strain inertia may be others than before
+    if (corrections_end) s.audit.rock_changed(0, 0, stored.contact - contact_before);
     s.audit.geometry_followed(stored);
   }
   if (s.plan.is_static) return;

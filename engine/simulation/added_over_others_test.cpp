@@ -112,6 +112,23 @@ TEST(AddedOverOthers, AreToldOfWhereTheyComeInFarOverThem) {
   EXPECT_NEAR(told[0].worst.depth, 0.2, 1e-3);
 }
 
+// A plate has come in by most of its thickness or more: the fill lies in it, and has gone through nothing. In 4 of
+// these it was deeper than half of the plate, by which it may have.
+TEST(AddedOverOthers, HaveNotGoneThroughWhatTheyCameInOver) {
+  std::mt19937 random(29);
+  for (int lot = 0; lot < 20; ++lot) {
+    Model model = filled_hole(random, 0.01, lot % 2 == 1, lot % 4 > 1);
+    const double thickness = std::uniform_real_distribution(0.005, 0.03)(random);
+    model.blocks[2] = rectangle("plate", 1, 0, thickness, 1);
+    model.held_blocks[2].amplitude.x() = -std::uniform_real_distribution(0.6, 1.5)(random) * thickness;
+    model.held_blocks[3] = held(3);  // and the plate meets no other wall
+    Simulation simulation = simulation_of(std::move(model));
+    for (int stage = 0; stage < 3; ++stage) finish_stage(simulation);
+    EXPECT_LT(simulation.state().displacement[fill].norm(), 1e-3) << lot;
+    EXPECT_LT(simulation.deepest_penetration().in_thickness.share, ruinous_share) << lot;
+  }
+}
+
 // What came in over others is not asked of outlines again: it is kept.
 TEST(AddedOverOthers, GoOnFromASnapshotToTheBit) {
   std::mt19937 random(23);

@@ -95,18 +95,27 @@ void look_at(const Model& model, const State& state, const Interface& interface,
           -normal, depth, deepest);
 }
 
+bool are_among(std::span<const CameInOver> pairs, const InterfaceElement& element) {
+  const auto [a, b] = std::minmax(element.block_a, element.block_b);
+  return std::ranges::any_of(pairs, [&](const CameInOver& each) { return each.block_a == a && each.block_b == b; });
+}
+
 }  // namespace
 
 void note_depths_in_thickness(const Model& model, const State& state, const ContactSet& contacts,
-                              const LeastWidths& widths, DepthInThickness& deepest) {
+                              const LeastWidths& widths, std::span<const CameInOver> came_in_over,
+                              DepthInThickness& deepest) {
   const double least_asked = std::max(noted_share, deepest.share) * widths.of_all;
   for (std::size_t i = 0; i < contacts.elements.size(); ++i) {
     const InterfaceElement& element = contacts.elements.own()[i];
     if (element.law != InterfaceLaw::classical) continue;  // the gaps of the others are no distances
     const InterfaceState& own = contacts.states[i];
     for (int end = 0; end < ends_of(element); ++end) {
-      const double depth = -(own.gap(2 * end) + own.held_open(static_cast<std::size_t>(end)));
+      const double seat = own.seat[static_cast<std::size_t>(end)];
+      double depth = -(own.gap(2 * end) + own.held_open(static_cast<std::size_t>(end)));
       if (depth <= least_asked) continue;  // nearly all that there is
+      if (seat < 0 && are_among(came_in_over, element)) depth += seat;
+      if (depth <= least_asked) continue;
       const double width = std::min(widths.of_blocks[static_cast<std::size_t>(element.block_a)],
                                     widths.of_blocks[static_cast<std::size_t>(element.block_b)]);
       const Interface& interface = contacts.interfaces[i];

@@ -15,6 +15,7 @@
 #include "engine/core/types.h"
 #include "engine/model/model.h"
 #include "engine/model/state.h"
+#include "engine/simulation/excavated.h"
 
 namespace dda {
 
@@ -47,8 +48,10 @@ struct LeastWidths {
   double of_all = 0;
 };
 
-// Takes note of corners that are deeper, by the thickness that they are in, than any before.
+// Takes note of corners that are deeper, by the thickness that they are in, than any before. Blocks that came in over
+// others did not get there through a face: their contacts are seated (join_blocks.h), and that depth is left out.
 void note_depths_in_thickness(const Model& model, const State& state, const ContactSet& contacts,
-                              const LeastWidths& widths, DepthInThickness& deepest);
+                              const LeastWidths& widths, std::span<const CameInOver> came_in_over,
+                              DepthInThickness& deepest);
 
 }  // namespace dda

@@ -82,7 +82,7 @@ TEST(DepthInThickness, OfNeedlesIsNotThatAtTheirTips) {
     for (const int row : {0, 2}) contacts.states[0].gap(row) = -1e-4;
     DepthInThickness deepest;
     const std::vector<double> widths(2, 0.0);
-    note_depths_in_thickness(model, state, contacts, {widths, 0}, deepest);
+    note_depths_in_thickness(model, state, contacts, {widths, 0}, {}, deepest);
     if (height > 0.01) {  // less than a thousandth of its side, which is the root of half its height times its length
       EXPECT_EQ(deepest.share, 0) << height;
     } else {

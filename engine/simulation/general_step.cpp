@@ -379,7 +379,8 @@ void GeneralStep::accept() {
   const double beyond_end = accept_contacts(solver_.contacts(), moving_.has_value(), s);
   if (!s.stage().paces_itself()) note_penetrations();
   if (s.plan.contacts_can_change && s.plan.finite_kinematics)  // or contacts stay as drawn, and nothing can pass
-    note_depths_in_thickness(s.model, s.state, s.contacts, range_.least_widths(), deepest_.in_thickness);
+    note_depths_in_thickness(s.model, s.state, s.contacts, range_.least_widths(), s.excavated.came_in_over,
+                             deepest_.in_thickness);
   s.reinforcement.bolts.accept(solver_.bolts(), s.audit);
   s.reinforcement.linings.accept(s.increment, s.audit);
   accept_supports(s);

@@ -58,12 +58,19 @@ def rank(source, number):
     return hashlib.sha1(f"{Path(source).name} {number}".encode()).digest()
 
 
+def number_of_lists(sources, size):
+    """A multiple of four where there are many, so that one more source seldom makes another number: most lists would then
+    be others."""
+    lists = -(-sources // size)
+    return lists if lists <= 4 else 4 * -(-lists // 4)
+
+
 def batches(sources, size):
     """Lists of at most `size` sources that do not clash. A source goes into the list that it ranks first of those that take
     it: as ranks do not hang on the other sources, one more of them, or one more name, leaves most lists as they were, and
     with them what is compiled."""
     names = {source: Names(source) for source in sources}
-    lists = [[] for _ in range(-(-len(sources) // size))]
+    lists = [[] for _ in range(number_of_lists(len(sources), size))]
     for source in sorted(sources):
         for number in sorted(range(len(lists)), key=functools.partial(rank, source)):
             if len(lists[number]) < size and not any(names[source].clash_with(names[other]) for other in lists[number]):

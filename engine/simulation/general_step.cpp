@@ -181,7 +181,7 @@ bool GeneralStep::moves_further_than_seen() {
 void GeneralStep::follow_geometry() {
   const double ahead = system_.coefficients.acts_at * system_.coefficients.dt;
   const double coming = largest_motion_within(system_, ahead);
-  const double tolerance = geometry_tolerance(system_.stage());
+  const double tolerance = geometry_tolerance(system_);
   if (std::max(moved_, coming) > tolerance)
     place_geometry(coming > tolerance ? coming : 0);
   else
@@ -374,7 +374,7 @@ void GeneralStep::accept() {
   move_blocks(s.stage().kinematics, s);
   if (s.plan.finite_kinematics) moved_ += largest_motion(system_);
   // What only a matrix built anew may see: the next step follows the geometry.
-  const bool geometry_is_late = s.plan.finite_kinematics && moved_ > geometry_tolerance(s.stage());
+  const bool geometry_is_late = s.plan.finite_kinematics && moved_ > geometry_tolerance(s);
   if (geometry_is_late) keep_angular_momenta(s.model, s.state, s.terms);
   const double beyond_end = accept_contacts(solver_.contacts(), moving_.has_value(), s);
   if (!s.stage().paces_itself()) note_penetrations();

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <string_view>
 #include <vector>
 
@@ -64,10 +65,13 @@ double largest_motion(const BlockTerms& terms, const Eigen::VectorXd& increments
 
 }  // namespace
 
-double geometry_tolerance(const Stage& stage) {
+double geometry_tolerance(const BlockSystem& system) {
   constexpr double most = 1e-6;
   constexpr double of_balance = 1e-3;  // bolts may be that much shorter than blocks, and turn by so much more
-  return stage.integrator.is_static && stage.equilibrium > 0 ? std::min(of_balance * stage.equilibrium, most) : most;
+  constexpr std::int64_t few_steps = 20;
+  const Stage& stage = system.stage();
+  const bool is_restless = stage.integrator.is_static && stage.equilibrium > 0 && system.clock.step >= few_steps;
+  return is_restless ? std::min(of_balance * stage.equilibrium, most) : most;
 }
 
 bool is_shortest_part(const BlockSystem& system) {

@@ -13,10 +13,10 @@ namespace dda {
 inline constexpr double most_turn = 0.01;
 
 // Geometry is followed, and the matrix built anew, when some block has moved by this share of its size: directions are
-// then off by as much, and gaps by half its square. A static stage is not to end with forces further out of balance
-// than it asks for, so it does not bear with directions that are: what weight alone holds, as a block that hangs on
-// bolts or on the tip of another, would go to and fro by as much for ever.
-double geometry_tolerance(const Stage& stage);
+// then off by as much, and gaps by half its square. A static stage that is not in balance after some steps bears with
+// less than what it asks of the balance: what weight alone holds, as a block that hangs on bolts or on the tip of
+// another, would else go to and fro by as much for ever. (Walls and rock that settle come to rest before that.)
+double geometry_tolerance(const BlockSystem& system);
 
 // Whether the step under way is a part that is not cut further.
 bool is_shortest_part(const BlockSystem& system);

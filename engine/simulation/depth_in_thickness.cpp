@@ -96,7 +96,7 @@ void look_at(const Model& model, const State& state, const Interface& interface,
 }
 
 bool are_among(std::span<const CameInOver> pairs, const InterfaceElement& element) {
-  const auto [a, b] = std::minmax(element.block_a, element.block_b);
+  const int a = std::min(element.block_a, element.block_b), b = std::max(element.block_a, element.block_b);
   return std::ranges::any_of(pairs, [&](const CameInOver& each) { return each.block_a == a && each.block_b == b; });
 }
 

@@ -13,13 +13,9 @@ inline bool gives_way(const Bolt& bolt) {
   return std::min({bolt.yield_force, bolt.shear_yield_force, bolt.rupture_elongation}) < never;
 }
 
-// A dry joint has nothing to break.
-inline bool gives_way(const JointMaterial& joint) { return !joint.bonded && !is_dry(joint); }
-
 inline bool something_gives_way(const Model& model) {
-  return std::ranges::any_of(model.bolts, [](const Bolt& bolt) { return gives_way(bolt); }) ||
-         std::ranges::any_of(model.joints, [](const JointMaterial& joint) { return gives_way(joint); }) ||
-         std::ranges::any_of(model.linings, [](const Lining& lining) { return lining.yields(); });
+  return std::ranges::any_of(model.bolts, gives_way) || std::ranges::any_of(model.joints, can_break) ||
+         std::ranges::any_of(model.linings, &Lining::yields);
 }
 
 }  // namespace dda

@@ -93,4 +93,7 @@ inline bool is_dry(const JointMaterial& joint) {
   return !joint.bonded && joint.cohesion == 0 && joint.tensile_strength == 0;
 }
 
+// A dry joint has nothing to break.
+inline bool can_break(const JointMaterial& joint) { return !joint.bonded && !is_dry(joint); }
+
 }  // namespace dda

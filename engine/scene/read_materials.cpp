@@ -123,9 +123,8 @@ void check_projected_law(const Field& field, const JointMaterial& joint) {
 // whole of that load: what they store of it, force squared over twice the stiffness, was brought by nothing. So they
 // are chosen stiff, as for "auto", unless the scene has springs of its own.
 void choose_springs_of_broken_ends(const Field& field, JointMaterial& joint) {
-  const bool can_break = !joint.bonded && (joint.cohesion > 0 || joint.tensile_strength > 0);
   const bool has_own = field.has("normal_spring") || field.has("spring_over_young");
-  if (passes_stress(joint.law) && can_break && !has_own) joint.automatic_stiffness = true;
+  if (passes_stress(joint.law) && can_break(joint) && !has_own) joint.automatic_stiffness = true;
 }
 
 InterfaceLaw read_law(const Field& field) {

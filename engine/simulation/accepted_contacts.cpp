@@ -42,17 +42,6 @@ double borne_at_end(const InterfaceState& before, const InterfaceState& after, c
   return borne;
 }
 
-struct Accepted {
-  ContactWork work;
-  double beyond_end = 0;  // J per m of thickness, of the friction: see accept_contacts()
-
-  Accepted& operator+=(const Accepted& more) {
-    work += more.work;
-    beyond_end += more.beyond_end;
-    return *this;
-  }
-};
-
 class Acceptance {
  public:
   Acceptance(const InterfaceTrials& trials, bool moves, BlockSystem& system)
@@ -68,39 +57,39 @@ class Acceptance {
         dashpot_delay_(system.coefficients.acts_at - 0.5),
         gaps_are_foreseen_(system.plan.finite_kinematics && system.coefficients.acts_at != 0.5) {}
 
-  void accept(std::size_t k, Accepted& sum) const {
+  void accept(std::size_t k, ContactWork& work) const {
     const std::size_t i = trials_.place(k);
     const InterfaceElement& element = elements_[i];
     const InterfaceState before = states_[i];
     InterfaceState after = finish_trial(element, before, trials_[k]);
     if (strengths_[i].cohesion > 0) note_torn(element, after);
     after.dashpot = weight_ * dashpot_force(element, trials_[k]);
-    book(element, strengths_[i], before, after, trials_[k], sum);
+    book(element, strengths_[i], before, after, trials_[k], work);
     if (moves_) count_free_slip(element, trials_[k].gap, after);
     states_[i] = after;
   }
 
  private:
   void book(const InterfaceElement& element, const EndStrength& strength, const InterfaceState& before,
-            const InterfaceState& after, const InterfaceTrial& trial, Accepted& sum) const {
+            const InterfaceState& after, const InterfaceTrial& trial, ContactWork& work) const {
     const Vec4 dropped = trial.force - after.force;
     const bool drops = trial.force != after.force;
     const Vec4 by_held = held_.empty() ? Vec4(Vec4::Zero()) : held_.gap_increment(element);
-    if (drops) sum.work.brought += weight_ * by_held.dot(dropped);  // the rest of their work is in audit_held_blocks
+    if (drops) work.brought += weight_ * by_held.dot(dropped);  // the rest of their work is in audit_held_blocks
     const bool bends = gapes(element, before) || gapes(element, after);  // what it stores is no square of its gaps
     // Slip of ends that do not rise in the step is not counted (open_close.h), but takes energy.
-    if (before.status == after.status && !slides(before, after) && !drops && !gaps_are_foreseen_ && !bends &&
-        before.dashpot.isZero(0))
-      return;
-    const GapChange gap_change{gap_increment(element, increment_), by_held};
-    WorkingForces forces{weight_ * dropped, most_friction(strength, before, after, trial), dashpot_delay_};
-    const double friction_before = sum.work.friction;
-    sum.work.changed(element, before, after, gap_change, forces);
-    if (!settles_ || before.slip == after.slip) return;
-    ContactWork at_end;
-    forces.most_friction = std::min(forces.most_friction, borne_at_end(before, after, trial));
-    at_end.changed(element, before, after, gap_change, forces);
-    sum.beyond_end += sum.work.friction - friction_before - at_end.friction;
+    if (before.status != after.status || slides(before, after) || drops || gaps_are_foreseen_ || bends ||
+        !before.dashpot.isZero(0))
+      work.changed(element, before, after, {gap_increment(element, increment_), by_held},
+                   working_forces(strength, before, after, trial));
+  }
+
+  [[nodiscard]] WorkingForces working_forces(const EndStrength& strength, const InterfaceState& before,
+                                             const InterfaceState& after, const InterfaceTrial& trial) const {
+    WorkingForces forces{weight_ * (trial.force - after.force), most_friction(strength, before, after, trial),
+                         dashpot_delay_};
+    if (settles_) forces.friction_at_end = borne_at_end(before, after, trial);
+    return forces;
   }
 
   const InterfaceTrials& trials_;
@@ -120,14 +109,14 @@ class Acceptance {
 
 double accept_contacts(const InterfaceTrials& trials, bool moves, BlockSystem& system) {
   const Acceptance acceptance(trials, moves, system);
-  Accepted all{system.audit.contact_work()};
-  const auto add = [](Accepted& sum, const Accepted& piece) { sum += piece; };
-  parallel_accumulate(trials.size(), contacts_of_plain_sum, all, Accepted{}, add,
-                      [&](std::size_t first, std::size_t last, Accepted& sum) {
+  ContactWork work = system.audit.contact_work();
+  const auto add = [](ContactWork& sum, const ContactWork& piece) { sum += piece; };
+  parallel_accumulate(trials.size(), contacts_of_plain_sum, work, ContactWork{}, add,
+                      [&](std::size_t first, std::size_t last, ContactWork& sum) {
                         for (std::size_t k = first; k < last; ++k) acceptance.accept(k, sum);
                       });
-  system.audit.contacts_worked(all.work);
-  return all.beyond_end;
+  system.audit.contacts_worked(work);
+  return work.friction_beyond_end;
 }
 
 double taken_by_settling(const EnergyLedger& ledger) { return ledger.damping + ledger.numerical; }

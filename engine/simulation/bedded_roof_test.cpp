@@ -6,21 +6,16 @@
 #include <random>
 #include <vector>
 
+#include "engine/simulation/random_test_support.h"
 #include "engine/simulation/simulation_models.h"
 
 namespace dda {
 namespace {
 
-using Random = std::mt19937;
-
 constexpr double span = 24;
 constexpr double young = 2e10;
 constexpr double poisson = 0.2;
 constexpr double unit_weight = 2600 * 9.81;
-
-double between(double least, double most, Random& random) {
-  return std::uniform_real_distribution<double>(least, most)(random);
-}
 
 // In the middle of a clamped beam (Timoshenko's, factor 5/6 on the shear area), m per Pa of load on it.
 struct Stiffness {

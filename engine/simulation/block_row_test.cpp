@@ -3,19 +3,13 @@
 
 #include <cmath>
 #include <numbers>
-#include <random>
 
 #include "engine/geometry/rotation.h"
+#include "engine/simulation/random_test_support.h"
 #include "engine/simulation/simulation_models.h"
 
 namespace dda {
 namespace {
-
-using Random = std::mt19937;
-
-double between(double least, double most, Random& random) {
-  return std::uniform_real_distribution<double>(least, most)(random);
-}
 
 // Rectangles of these lengths along x from x = 0, `height` high from y = 0.
 Model row_of(const std::vector<double>& lengths, double height, const JointMaterial& joint, const Material& material) {

@@ -46,7 +46,10 @@ void ContactWork::changed(const InterfaceElement& element, const InterfaceState&
     if (const double rise = after.dilation[end] - before.dilation[end]; rise != 0)
       by_rise += (borne(normal_row) - after.dashpot(normal_row)) * rise;
   }
-  by_friction = std::min(by_friction, forces.most_friction * longest_slip(before, after)) + by_rise;
+  const double slip = longest_slip(before, after);
+  by_friction = std::min(by_friction, forces.most_friction * slip);
+  if (slip > 0) friction_beyond_end += std::max(0.0, by_friction - forces.friction_at_end * slip);
+  by_friction += by_rise;
   const double stored = interface_energy(element, after) - interface_energy(element, before);
   friction += by_friction;
   dashpot += by_dashpot;

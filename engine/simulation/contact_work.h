@@ -1,6 +1,8 @@
 // What contacts take of the energy of a step.
 #pragma once
 
+#include <limits>
+
 #include "engine/contact/interface_element.h"
 #include "engine/contact/interface_state.h"
 
@@ -21,6 +23,8 @@ struct WorkingForces {
   // dashpot has the force of the velocity in that middle and acts at that moment, by this share already in the motion
   // of the step that follows: where blocks meet, its first force is one of full speed on half of the way.
   double dashpot_delay;
+  // By the shear at the end of the step of the ends that slip, N per m of thickness; asked for in static steps alone.
+  double friction_at_end = std::numeric_limits<double>::infinity();
 };
 
 // J per m of thickness.
@@ -29,6 +33,7 @@ struct ContactWork {
   // step takes for the work of a force that a held block let go early in it.
   double brought = 0;
   double friction = 0, dashpot = 0, numerical = 0;
+  double friction_beyond_end = 0;  // what of the friction is more than friction_at_end takes
 
   // Work of friction and of dashpots on one interface, and what status changes within the step make of it.
   void changed(const InterfaceElement& element, const InterfaceState& before, const InterfaceState& after,
@@ -39,6 +44,7 @@ struct ContactWork {
     friction += more.friction;
     dashpot += more.dashpot;
     numerical += more.numerical;
+    friction_beyond_end += more.friction_beyond_end;
     return *this;
   }
 };

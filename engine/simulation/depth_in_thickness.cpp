@@ -111,11 +111,10 @@ void note_depths_in_thickness(const Model& model, const State& state, const Cont
     if (element.law != InterfaceLaw::classical) continue;  // the gaps of the others are no distances
     const InterfaceState& own = contacts.states[i];
     for (int end = 0; end < ends_of(element); ++end) {
-      const double seat = own.seat[static_cast<std::size_t>(end)];
-      double depth = -(own.gap(2 * end) + own.held_open(static_cast<std::size_t>(end)));
+      const auto e = static_cast<std::size_t>(end);
+      const bool came_in_so = own.seat[e] < 0 && are_among(came_in_over, element);
+      const double depth = -(own.gap(2 * end) + (came_in_so ? own.dilation[e] : own.held_open(e)));
       if (depth <= least_asked) continue;  // nearly all that there is
-      if (seat < 0 && are_among(came_in_over, element)) depth += seat;
-      if (depth <= least_asked) continue;
       const double width = std::min(widths.of_blocks[static_cast<std::size_t>(element.block_a)],
                                     widths.of_blocks[static_cast<std::size_t>(element.block_b)]);
       const Interface& interface = contacts.interfaces[i];

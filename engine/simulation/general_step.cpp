@@ -151,8 +151,8 @@ Status GeneralStep::solve_far_enough() {
 // The problem of the step under way.
 void GeneralStep::pose() {
   face_loads_.take_back(system_);
-  if (cushion_.is_in()) base_is_current_ = false;                               // it is between the ends that touch now
-  if (base_turns_ || has_turning_stiffness(system_)) base_is_current_ = false;  // by the tension there is now
+  // By the ends that touch now and the tension there is now.
+  if (cushion_.is_in() || base_turns_ || has_turning_stiffness(system_)) base_is_current_ = false;
   aim(system_.model, system_.state, system_.load_time_after(system_.coefficients.dt), system_.held);
   if (takes_blocks_along(system_)) carry_along(system_);
   if (system_.plan.finite_kinematics) follow_geometry();

@@ -7,20 +7,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <random>
 #include <string>
 
-#include "engine/simulation/measured_models.h"
+#include "engine/simulation/random_test_support.h"
 #include "engine/simulation/simulation_models.h"
 
 namespace dda {
 namespace {
-
-using Random = std::mt19937;
-
-double between(double least, double most, Random& random) {
-  return std::uniform_real_distribution<double>(least, most)(random);
-}
 
 constexpr double density = 2600, weight_of_a_kilogram = 9.81;
 

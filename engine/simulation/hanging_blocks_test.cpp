@@ -4,10 +4,10 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <string>
 #include <vector>
 
+#include "engine/simulation/random_test_support.h"
 #include "engine/simulation/simulation_models.h"
 
 namespace dda {
@@ -22,16 +22,6 @@ Material rigid_rock() {
   return material;
 }
 
-class Chance {
- public:
-  explicit Chance(unsigned seed) : engine_(seed) {}
-  double between(double least, double most) { return least + (most - least) * uniform_(engine_); }
-
- private:
-  std::mt19937 engine_;
-  std::uniform_real_distribution<double> uniform_{0, 1};
-};
-
 // --- A block below a held roof on bolts that stand upright ---
 
 struct Hung {
@@ -43,17 +33,17 @@ struct Hung {
   [[nodiscard]] double weight() const { return rock().density * width * height * gravity; }
 };
 
-Hung random_hung(Chance& chance, int bolts) {
+Hung random_hung(Random& random, int bolts) {
   Hung hung;
-  hung.width = chance.between(1, 3);
-  hung.height = chance.between(0.6, 2);
-  hung.roof = chance.between(0, 1) < 0.5 ? 4 : 100;
-  hung.anchors = chance.between(0.2, 0.45) * hung.height;
-  hung.above = chance.between(0.6, 2) + hung.height / 2;
+  hung.width = between(1, 3, random);
+  hung.height = between(0.6, 2, random);
+  hung.roof = between(0, 1, random) < 0.5 ? 4 : 100;
+  hung.anchors = between(0.2, 0.45, random) * hung.height;
+  hung.above = between(0.6, 2, random) + hung.height / 2;
   for (int i = 0; i < bolts; ++i) {
-    const double place = -0.4 + 0.8 * i / (bolts - 1) + chance.between(-0.05, 0.05);
+    const double place = -0.4 + 0.8 * i / (bolts - 1) + between(-0.05, 0.05, random);
     hung.x.push_back(place * hung.width);
-    hung.stiffness.push_back(std::pow(10, chance.between(7, 8)));
+    hung.stiffness.push_back(std::pow(10, between(7, 8, random)));
   }
   return hung;
 }
@@ -141,10 +131,10 @@ void expect_forces(const Hung& hung, Kinematics kinematics, const std::vector<do
 }
 
 TEST(HangingBlocks, HaveTheForcesByHandOnUnequalBolts) {
-  Chance chance(1);
+  Random random(1);
   int hung_blocks = 0;
   while (hung_blocks < 24) {
-    const Hung hung = random_hung(chance, 2 + hung_blocks % 2);
+    const Hung hung = random_hung(random, 2 + hung_blocks % 2);
     if (!all_pull(hung)) continue;
     SCOPED_TRACE("block " + std::to_string(++hung_blocks));
     expect_forces(hung, Kinematics::finite, forces_of_finite_motion(hung), 2e-5);
@@ -155,9 +145,9 @@ TEST(HangingBlocks, HaveTheForcesByHandOnUnequalBolts) {
 // --- A block whose notch sits on the tip of a held one: it turns until its centroid is below the tip ---
 
 // `far`: of another held block, m. Steps are longer in a larger scene.
-Model block_on_a_tip(Chance& chance, double far) {
-  const double half = chance.between(1, 3), depth = chance.between(0.5, 2), height = chance.between(0.4, 1);
-  const double right = half * (1 + chance.between(-0.05, 0.05));
+Model block_on_a_tip(Random& random, double far) {
+  const double half = between(1, 3, random), depth = between(0.5, 2, random), height = between(0.4, 1, random);
+  const double right = half * (1 + between(-0.05, 0.05, random));
   Model model;
   model.materials = {rock()};
   model.joints = {JointMaterial{}};
@@ -174,10 +164,10 @@ Model block_on_a_tip(Chance& chance, double far) {
 }
 
 TEST(HangingBlocks, ComeToRestBelowTheTipTheyHangOn) {
-  Chance chance(2);
+  Random random(2);
   for (int i = 0; i < 12; ++i) {
     SCOPED_TRACE("block " + std::to_string(i));
-    Simulation simulation = simulation_of(block_on_a_tip(chance, i % 2 == 0 ? 4 : 200));
+    Simulation simulation = simulation_of(block_on_a_tip(random, i % 2 == 0 ? 4 : 200));
     while (!simulation.finished()) ASSERT_EQ(simulation.step(), Status::ok) << simulation.message();
     const Vec2 centroid = current_centroid(simulation.model(), simulation.state(), 1);
     const Vec2 notch = current_position(simulation.model(), simulation.state(), 1, {0, 0});

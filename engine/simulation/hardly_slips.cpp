@@ -14,11 +14,11 @@ namespace {
 // in an equilibrium that does not last: without inertia nothing tells it from others. What strain turns is below that.
 constexpr double most_turn_at_once = 2e-3;
 
-// Only what leans on others can be in such an equilibrium; what hangs on bolts or is glued on turns by what these give.
 bool turns_far(int block, const Eigen::VectorXd& increment) {
   return std::abs(increment(6 * block + 2)) > most_turn_at_once;
 }
 
+// Only what leans on others can be in such an equilibrium; what hangs on bolts or is glued on turns by what these give.
 bool leans(const InterfaceTrial& trial) {
   return (trial.broken[0] && trial.active(0) > 0) || (trial.broken[1] && trial.active(2) > 0);
 }

@@ -5,16 +5,11 @@
 #include <random>
 #include <vector>
 
+#include "engine/simulation/random_test_support.h"
 #include "engine/simulation/simulation_models.h"
 
 namespace dda {
 namespace {
-
-using Random = std::mt19937;
-
-double between(double least, double most, Random& random) {
-  return std::uniform_real_distribution<double>(least, most)(random);
-}
 
 // Smooth squares that touch, two of them dragged by some metres, far beyond where contacts are looked for.
 Model dragged_squares(Random& random) {

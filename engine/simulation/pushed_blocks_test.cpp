@@ -12,16 +12,11 @@
 #include <vector>
 
 #include "engine/simulation/measured_models.h"
+#include "engine/simulation/random_test_support.h"
 #include "engine/simulation/simulation_models.h"
 
 namespace dda {
 namespace {
-
-using Random = std::mt19937;
-
-double between(double least, double most, Random& random) {
-  return std::uniform_real_distribution<double>(least, most)(random);
-}
 
 TEST(PushedBlocks, GoAsFarAsTheyArePushed) {
   Random random(71);

@@ -6,17 +6,12 @@
 #include <random>
 #include <vector>
 
+#include "engine/simulation/random_test_support.h"
 #include "engine/simulation/simulation_models.h"
 #include "engine/simulation/stability_limit.h"
 
 namespace dda {
 namespace {
-
-using Random = std::mt19937;
-
-double between(double least, double most, Random& random) {
-  return std::uniform_real_distribution<double>(least, most)(random);
-}
 
 // Bonded squares of two rocks, shaken at a point.
 Model mixed_mesh(Random& random) {

@@ -4,20 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <vector>
 
 #include "engine/simulation/projected_models.h"
+#include "engine/simulation/random_test_support.h"
 #include "engine/simulation/simulation_models.h"
 
 namespace dda {
 namespace {
-
-using Random = std::mt19937;
-
-double between(double least, double most, Random& random) {
-  return std::uniform_real_distribution<double>(least, most)(random);
-}
 
 constexpr int size = 7;  // blocks along a side, of 1 m; those at the edge are held
 

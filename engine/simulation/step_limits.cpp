@@ -40,8 +40,8 @@ constexpr double sliver_share = 1e-4;
 
 // What tumbles like a small block in the shortest steps does so in steps of any length when it is a splinter: rock of
 // hundreds of blocks is not stepped 64 times as often for what weighs nothing. Between slivers and splinters the room
-// to turn grows with how little a block is, by equal factors. (A slope of 784 blocks had
-// 14,400 passes in 115 steps for one block of 0.1 mm that tumbled, 3e-6 of the others' area, and has 3,900.)
+// to turn grows with how little a block is, by equal factors. (A slope of 784 blocks had 14,400 passes in 115 steps for
+// one block of 0.1 mm that tumbled, 3e-6 of the others' area, and has 3,900.)
 double most_turn_of(const BlockSystem& system, double area, double of_most, double most) {
   const double of_splinters = is_shortest_part(system) ? most_turn_of_splinters : most_turn_in_shortest_steps;
   const double smallness = std::log(sliver_share * of_most / area) / std::log(sliver_share / splinter_share);

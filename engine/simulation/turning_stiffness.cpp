@@ -22,15 +22,6 @@ double against_parting(const LinkElement& link) {
   return std::max(link.state.force(0), 0.0) / link.span;
 }
 
-void add_against_parting(const LinkElement& link, BlockMatrix& matrix) {
-  const double stiffness = against_parting(link);
-  if (stiffness == 0) return;
-  const Vec6 a = link.rows.a.row(1), b = link.rows.b.row(1);
-  matrix.diagonal(link.block_a) += stiffness * a * a.transpose();
-  matrix.diagonal(link.block_b) += stiffness * b * b.transpose();
-  matrix.add_coupling(link.block_b, link.block_a, stiffness * b * a.transpose());
-}
-
 double work_against_parting(const LinkElement& link, const BlockSystem& system) {
   const double by_a = link.rows.a.row(1).dot(system.increment.segment<6>(6 * link.block_a));
   const double by_b = link.rows.b.row(1).dot(system.increment.segment<6>(6 * link.block_b));
@@ -53,7 +44,8 @@ bool add_turning_stiffness(const BlockSystem& system, BlockMatrix& matrix) {
   if (!has_turning_stiffness(system)) return false;
   for (std::size_t i = 0; i < system.terms.area.size(); ++i)
     matrix.diagonal(static_cast<int>(i))(2, 2) += against_turn(system, i);
-  for (const LinkElement& link : system.reinforcement.bolts.links()) add_against_parting(link, matrix);
+  for (const LinkElement& link : system.reinforcement.bolts.links())
+    if (const double stiffness = against_parting(link); stiffness > 0) add_link(link, {0, stiffness}, matrix);
   return true;
 }
 

@@ -8,6 +8,14 @@ BoltAnswer answer_of(const BoltLaw& law, const Vec2& gap, bool ruptured) {
   return ruptured ? BoltAnswer{Vec2::Zero(), Vec2::Zero()} : bolt_answer(law, gap);
 }
 
+void add_link(const LinkElement& link, const Vec2& stiffness, BlockMatrix& matrix) {
+  const Eigen::Matrix<double, 6, 2> weighted_a = link.rows.a.transpose() * stiffness.asDiagonal();
+  const Eigen::Matrix<double, 6, 2> weighted_b = link.rows.b.transpose() * stiffness.asDiagonal();
+  matrix.diagonal(link.block_a) += weighted_a * link.rows.a;
+  matrix.diagonal(link.block_b) += weighted_b * link.rows.b;
+  matrix.add_coupling(link.block_b, link.block_a, weighted_b * link.rows.a);
+}
+
 void BoltTrials::respond(std::size_t k) {
   LinkTrial& trial = trials_[k];
   const BoltAnswer answer = answer_of(links_[k].law, trial.gap, trial.ruptures);
@@ -49,13 +57,7 @@ bool BoltTrials::take_up_rows() {
 void BoltTrials::add_stiffness(double factor, BlockMatrix& matrix) const {
   for (std::size_t k = 0; k < trials_.size(); ++k) {
     if (matrix_rows_[k].isZero(0)) continue;  // the matrix may have no room for a bolt that waits
-    const LinkElement& link = links_[k];
-    const Vec2 stiffness = factor * matrix_rows_[k].cwiseProduct(link.law.stiffness);
-    const Eigen::Matrix<double, 6, 2> weighted_a = link.rows.a.transpose() * stiffness.asDiagonal();
-    const Eigen::Matrix<double, 6, 2> weighted_b = link.rows.b.transpose() * stiffness.asDiagonal();
-    matrix.diagonal(link.block_a) += weighted_a * link.rows.a;
-    matrix.diagonal(link.block_b) += weighted_b * link.rows.b;
-    matrix.add_coupling(link.block_b, link.block_a, weighted_b * link.rows.a);
+    add_link(links_[k], factor * matrix_rows_[k].cwiseProduct(links_[k].law.stiffness), matrix);
   }
 }
 

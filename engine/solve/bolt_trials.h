@@ -51,6 +51,9 @@ struct LinkElement {
   }
 };
 
+// Adds a spring along the link and one across it, N/m per m of thickness.
+void add_link(const LinkElement& link, const Vec2& stiffness, BlockMatrix& matrix);
+
 BoltAnswer answer_of(const BoltLaw& law, const Vec2& gap, bool ruptured);
 
 // A link at a trial gap.

@@ -66,36 +66,28 @@ std::vector<double> difference(const std::vector<double>& with, const std::vecto
   return result;
 }
 
-// Runs scenes and counts them.
-class Runs {
- public:
-  explicit Runs(JobProgress& progress) : progress_(progress) {}
-
-  RecordedRun operator()(const ThesisBlast& blast, const BlastRun& run) {
-    RecordedRun recorded = record_run(blast_scene(blast, run));
-    progress_.job_ended();
-    return recorded;
-  }
-
- private:
-  JobProgress& progress_;
-};
+RecordedRun counted_run(const ThesisBlast& blast, const BlastRun& run, JobProgress& progress) {
+  RecordedRun recorded = record_run(blast_scene(blast, run));
+  progress.job_ended();
+  return recorded;
+}
 
 struct BlastedAndNot {
   RecordedRun with, without;
 };
 
 BlastedAndNot run_both(const ThesisBlast& blast, const Variant& variant, const BlastMesh& mesh, double duration,
-                       Runs& runs) {
+                       JobProgress& progress) {
   BlastRun run{variant.joint, variant.integrator, blast.time_step, duration, equation_18(blast), true,
                mesh,          variant.element};
-  RecordedRun with = runs(blast, run);
+  RecordedRun with = counted_run(blast, run, progress);
   run.loaded = false;
-  return {std::move(with), runs(blast, run)};
+  return {std::move(with), counted_run(blast, run, progress)};
 }
 
-BlastResult run_variant(const ThesisBlast& blast, const Variant& variant, const BlastOptions& options, Runs& runs) {
-  const auto [with, without] = run_both(blast, variant, options.mesh, options.duration, runs);
+BlastResult run_variant(const ThesisBlast& blast, const Variant& variant, const BlastOptions& options,
+                        JobProgress& progress) {
+  const auto [with, without] = run_both(blast, variant, options.mesh, options.duration, progress);
   BlastResult result{variant.name, variant.description, {}, 0, with.cpu_s};
   for (std::size_t i = 0; i + 1 < with.histories.size(); i += 2) {
     for (const double velocity : without.histories[i])
@@ -107,10 +99,10 @@ BlastResult run_variant(const ThesisBlast& blast, const Variant& variant, const 
 }
 
 // To 23 m each way, until the peaks have passed H1 and V1.
-DecayResult run_decay(const ThesisBlast& blast, double decay_time, Runs& runs) {
+DecayResult run_decay(const ThesisBlast& blast, double decay_time, JobProgress& progress) {
   const Variant dry = variants(blast).front();
   const BlastRun run{dry.joint, dry.integrator, blast.time_step, 3.5e-3, {decay_time, 0}, true, {2, 2}, false};
-  const RecordedRun recorded = runs(blast, run);
+  const RecordedRun recorded = counted_run(blast, run, progress);
   const std::vector<PrintedArrival> points = points_inside(blast, run.mesh);
   const auto reading = [&](const std::string& name) {
     const auto at = std::find_if(points.begin(), points.end(), [&](const auto& p) { return p.point == name; });
@@ -122,8 +114,8 @@ DecayResult run_decay(const ThesisBlast& blast, double decay_time, Runs& runs) {
 
 // Velocities at the points inside this mesh, with the blast minus without.
 std::vector<std::vector<double>> velocities(const ThesisBlast& blast, const Variant& variant, const BlastMesh& mesh,
-                                            double duration, Runs& runs) {
-  const auto [with, without] = run_both(blast, variant, mesh, duration, runs);
+                                            double duration, JobProgress& progress) {
+  const auto [with, without] = run_both(blast, variant, mesh, duration, progress);
   std::vector<std::vector<double>> all;
   for (std::size_t i = 0; i < with.histories.size(); i += 2)
     all.push_back(difference(with.histories[i], without.histories[i]));
@@ -131,12 +123,12 @@ std::vector<std::vector<double>> velocities(const ThesisBlast& blast, const Vari
 }
 
 // Edges 23 m from the blast, from which waves are back at the points after 5 to 8 ms, against edges 39 m away: 12 ms.
-EdgeResult run_edges(const ThesisBlast& blast, const Variant& variant, double duration, Runs& runs) {
+EdgeResult run_edges(const ThesisBlast& blast, const Variant& variant, double duration, JobProgress& progress) {
   constexpr BlastMesh near_mesh{2, 2}, far_mesh{4, 4};
   const std::vector<PrintedArrival> points = points_inside(blast, near_mesh);
   const std::vector<PrintedArrival> more_points = points_inside(blast, far_mesh);
-  const auto near = velocities(blast, variant, near_mesh, duration, runs);
-  const auto far = velocities(blast, variant, far_mesh, duration, runs);
+  const auto near = velocities(blast, variant, near_mesh, duration, progress);
+  const auto far = velocities(blast, variant, far_mesh, duration, progress);
   EdgeResult result{variant.name, "", 0};
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto same = std::ranges::find(more_points, points[i].point, &PrintedArrival::point);
@@ -185,13 +177,13 @@ BlastStudy run_blast_study(const ThesisBlast& blast, const BlastOptions& options
       classical_joint(), dda::thesis_integrator(), study.dt, study.duration, {}, false, options.mesh, false};
   study.blocks = static_cast<int>(blast_scene(blast, any).blocks.size());
   JobProgress progress(runs_of(options, variants(blast).size()), options.progress);
-  Runs runs(progress);
-  for (const Variant& variant : variants(blast)) study.results.push_back(run_variant(blast, variant, options, runs));
+  for (const Variant& variant : variants(blast))
+    study.results.push_back(run_variant(blast, variant, options, progress));
   study.results.push_back(axisymmetric(blast, study));
-  for (const double decay_time : options.decay_times) study.decays.push_back(run_decay(blast, decay_time, runs));
+  for (const double decay_time : options.decay_times) study.decays.push_back(run_decay(blast, decay_time, progress));
   if (options.duration_of_edges > 0)
     for (const Variant& variant : variants(blast))
-      study.edges.push_back(run_edges(blast, variant, options.duration_of_edges, runs));
+      study.edges.push_back(run_edges(blast, variant, options.duration_of_edges, progress));
   return study;
 }
 

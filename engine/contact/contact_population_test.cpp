@@ -215,7 +215,7 @@ constexpr double round_off = 1e-9;
 
 std::vector<VertexContact> contacts_of(const Outlines& outlines, double size) {
   std::vector<VertexContact> contacts;
-  find_vertex_contacts(outlines, 0, 1, reach * size, depth * size, round_off * size, contacts);
+  NarrowPhase(outlines).find(0, 1, {reach * size, depth * size, round_off * size}, contacts);
   return contacts;
 }
 

@@ -117,7 +117,7 @@ bool ContactSearch::misses_contact(int a, int b, double relative, std::span<cons
   if (std::ranges::binary_search(seen.of_stretches, std::pair{a, b})) return false;
   const double smaller = std::min(size_of(a), size_of(b));
   std::vector<VertexContact> found;
-  find_vertex_contacts(outlines_, a, b, margin * relative + lift_, deepest * smaller, round_off * smaller, found);
+  NarrowPhase(outlines_).find(a, b, {margin * relative + lift_, deepest * smaller, round_off * smaller}, found);
   return std::ranges::any_of(found, [&](const VertexContact& contact) {
     return !std::binary_search(seen.contacts.begin(), seen.contacts.end(), contact) && closes(contact, blocks);
   });
@@ -164,24 +164,31 @@ bool ContactSearch::widen(const Model& model, const State& state, const Eigen::V
 }
 
 template <typename... IsOut>
-void ContactSearch::find_of_pair(std::size_t k, std::vector<VertexContact>& found, const IsOut&... is_out) const {
+void ContactSearch::find_of_pair(std::size_t k, NarrowPhase& narrow, std::vector<VertexContact>& found,
+                                 const IsOut&... is_out) const {
   const auto [a, b] = pairs_[k];
   const double smaller = std::min(size_of(a), size_of(b));
-  find_vertex_contacts(outlines_, a, b, reach_of(k) + lift_, deepest * smaller, round_off * smaller, is_out..., found);
+  narrow.find(a, b, {reach_of(k) + lift_, deepest * smaller, round_off * smaller}, is_out..., found);
 }
 
 void ContactSearch::find_between(int a, int b, const std::function<bool(const VertexContact&)>& is_out,
                                  std::vector<VertexContact>& found) const {
   const auto pair = std::lower_bound(pairs_.begin(), pairs_.end(), std::pair{a, b});
-  find_of_pair(static_cast<std::size_t>(pair - pairs_.begin()), found, is_out);
+  NarrowPhase narrow(outlines_);
+  find_of_pair(static_cast<std::size_t>(pair - pairs_.begin()), narrow, found, is_out);
 }
 
 std::vector<VertexContact> ContactSearch::find(const std::vector<std::pair<int, int>>& bonded) const {
   std::array<std::vector<VertexContact>, pieces_of_pairs> found;
   for_each_piece({pairs_.size(), pairs_.size() < pairs_worth_sharing ? 1 : pieces_of_pairs},
                  [&](std::size_t piece, std::size_t first, std::size_t last) {
-                   for (std::size_t k = first; k < last; ++k)
-                     if (!std::binary_search(bonded.begin(), bonded.end(), pairs_[k])) find_of_pair(k, found[piece]);
+                   if (first == last) return;
+                   NarrowPhase narrow(outlines_);
+                   auto held = std::lower_bound(bonded.begin(), bonded.end(), pairs_[first]);
+                   for (std::size_t k = first; k < last; ++k) {
+                     while (held != bonded.end() && *held < pairs_[k]) ++held;
+                     if (held == bonded.end() || *held != pairs_[k]) find_of_pair(k, narrow, found[piece]);
+                   }
                  });
   std::vector<VertexContact> all = std::move(found[0]);
   for (std::size_t i = 1; i < found.size(); ++i) all.insert(all.end(), found[i].begin(), found[i].end());

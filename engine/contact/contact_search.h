@@ -25,6 +25,8 @@
 
 namespace dda {
 
+class NarrowPhase;
+
 // What a step was solved with.
 struct SeenContacts {
   std::span<const VertexContact> contacts;            // sorted
@@ -93,7 +95,8 @@ class ContactSearch {
   void list_pairs();
   // Appends the contacts of a listed pair; `is_out`, if any: as in find_between.
   template <typename... IsOut>
-  void find_of_pair(std::size_t k, std::vector<VertexContact>& found, const IsOut&... is_out) const;
+  void find_of_pair(std::size_t k, NarrowPhase& narrow, std::vector<VertexContact>& found,
+                    const IsOut&... is_out) const;
   void forget_slowly();
   [[nodiscard]] bool closes(const VertexContact& contact, std::span<const MovingBox> blocks) const;
   [[nodiscard]] bool misses_contact(int a, int b, double relative, std::span<const MovingBox> blocks,

@@ -84,7 +84,7 @@ Keys all_contacts(const Model& model, const State& state, const ContactSearch& s
   for (int a = 0; a < outlines.blocks(); ++a) {
     for (int b = a + 1; b < outlines.blocks(); ++b) {
       const double smaller = std::min(search.size_of(a), search.size_of(b));
-      find_vertex_contacts(outlines, a, b, ContactSearch::reach * smaller, 0.1 * smaller, 1e-9 * smaller, found);
+      NarrowPhase(outlines).find(a, b, {ContactSearch::reach * smaller, 0.1 * smaller, 1e-9 * smaller}, found);
     }
   }
   std::sort(found.begin(), found.end());

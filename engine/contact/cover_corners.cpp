@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <span>
 #include <utility>
+
+#include "engine/core/sort_few.h"
 
 namespace dda {
 namespace {
@@ -14,21 +15,10 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 constexpr double same_time = 1e-9;  // of a step
 
-// One end of a cover, as translations of the block with the lower number see it.
-struct CoverEnd {
-  std::pair<int, int> vertices;  // that meet there
-  Cover* cover;
-  int vertex;   // the one of the edge's block
-  Vec2 along;   // from the end along the cover; not a unit vector
-  Vec2 normal;  // unit, out of the entrance block
-
-  [[nodiscard]] bool is_near() const { return cover->beyond <= 0 || cover->corner == vertex; }
-  [[nodiscard]] double gap() const { return cover->contact.gap; }
-};
-
-// Those of the covers' ends whose corners are within reach of each other, those of one corner one after the other.
-std::vector<CoverEnd> ends_of(const Outlines& outlines, double reach, std::vector<Cover>& covers) {
-  std::vector<CoverEnd> ends;
+// Lists those of the covers' ends whose corners are within reach of each other, those of one corner one after the
+// other.
+void list_ends(const Outlines& outlines, double reach, std::vector<Cover>& covers, std::vector<CoverEnd>& ends) {
+  ends.clear();
   for (Cover& cover : covers) {
     const VertexContact& contact = cover.contact;
     const double side = contact.vertex_block < contact.edge_block ? 1 : -1;
@@ -40,9 +30,7 @@ std::vector<CoverEnd> ends_of(const Outlines& outlines, double reach, std::vecto
       ends.push_back({std::minmax(contact.vertex, vertex), &cover, vertex, along, side * contact.normal});
     }
   }
-  std::stable_sort(ends.begin(), ends.end(),
-                   [](const CoverEnd& i, const CoverEnd& j) { return i.vertices < j.vertices; });
-  return ends;
+  sort_few(ends, [](const CoverEnd& i, const CoverEnd& j) { return i.vertices < j.vertices; });
 }
 
 bool are_parallel(const CoverEnd& i, const CoverEnd& j) { return i.normal.dot(j.normal) >= same_direction; }
@@ -84,7 +72,7 @@ int compare_stay(const Cover& first, const Cover& second, double round_off) {
 double perimeter_of(const Outlines& outlines, int block) {
   double length = 0;
   for (int edge = outlines.starts[at(block)]; edge < outlines.starts[at(block) + 1]; ++edge)
-    length += outlines.along(edge).norm();
+    length += outlines.length_of(edge);
   return length;
 }
 
@@ -94,7 +82,8 @@ double perimeter_of(const Outlines& outlines, int block) {
 // the one on the edge of the longer outline. Blocks of one shape leave it to their order, see acting_frame.h.
 bool goes_before(const Outlines& outlines, const CoverEnd& one, const CoverEnd& other, double round_off) {
   if (const int within = compare(other.cover->past, one.cover->past, round_off); within != 0) return within > 0;
-  if (const int edge = compare(one.along.norm(), other.along.norm(), round_off); edge != 0) return edge > 0;
+  const auto length = [&](const CoverEnd& end) { return outlines.length_of(end.cover->contact.edge); };
+  if (const int edge = compare(length(one), length(other), round_off); edge != 0) return edge > 0;
   const auto perimeter = [&](const CoverEnd& end) { return perimeter_of(outlines, end.cover->contact.edge_block); };
   if (const int outline = compare(perimeter(one), perimeter(other), round_off); outline != 0) return outline > 0;
   return &one < &other;
@@ -111,6 +100,11 @@ void for_each_corner(const std::vector<CoverEnd>& ends, Act act) {
   }
 }
 
+void let_go(const std::vector<CoverEnd>& ends) {
+  for (const CoverEnd& end : ends)
+    if (end.cover->goes) end.cover->counts = false;
+}
+
 // What is asked about an end of a cover that the place taken now has come to: whether the cover is to go.
 using Question = bool (*)(const Outlines& outlines, const CoverEnd& end, double round_off,
                           std::span<const CoverEnd> corner);
@@ -118,12 +112,11 @@ using Question = bool (*)(const Outlines& outlines, const CoverEnd& end, double 
 // Puts a question to all ends and then takes out the covers that are to go: the order of blocks and vertices decides
 // nothing.
 void ask(Question goes, const Outlines& outlines, double round_off, const std::vector<CoverEnd>& ends) {
-  std::vector<Cover*> out;
   for_each_corner(ends, [&](std::span<const CoverEnd> corner) {
     for (const CoverEnd& end : corner)
-      if (end.cover->counts && goes(outlines, end, round_off, corner)) out.push_back(end.cover);
+      if (end.cover->counts && goes(outlines, end, round_off, corner)) end.cover->goes = true;
   });
-  for (Cover* cover : out) cover->counts = false;
+  let_go(ends);
 }
 
 bool has_come_to(const CoverEnd& end, double round_off) {
@@ -176,22 +169,22 @@ bool lasts_longer(const Outlines& outlines, const CoverEnd& i, const CoverEnd& j
 
 // Where covers are one and the same, only the one with the largest gap stays.
 void drop_doubles(const Outlines& outlines, double round_off, const std::vector<CoverEnd>& ends) {
-  std::vector<Cover*> out;
   for_each_corner(ends, [&](std::span<const CoverEnd> corner) {
     const auto& [vertex, other] = corner.front().vertices;
     const Vec2 apart = outlines.current[at(vertex)] - outlines.current[at(other)];
     for (const CoverEnd& i : corner)
       for (const CoverEnd& j : corner)
         if (&i < &j && i.cover->counts && j.cover->counts && are_one(i, j, apart, round_off))
-          out.push_back((lasts_longer(outlines, i, j, round_off) ? j : i).cover);
+          (lasts_longer(outlines, i, j, round_off) ? j : i).cover->goes = true;
   });
-  for (Cover* cover : out) cover->counts = false;
+  let_go(ends);
 }
 
 }  // namespace
 
-void choose_at_corners(const Outlines& outlines, double reach, double round_off, std::vector<Cover>& covers) {
-  const std::vector<CoverEnd> ends = ends_of(outlines, reach, covers);
+void choose_at_corners(const Outlines& outlines, double reach, double round_off, std::vector<Cover>& covers,
+                       std::vector<CoverEnd>& ends) {
+  list_ends(outlines, reach, covers, ends);
   ask(is_followed, outlines, round_off, ends);
   ask(is_outlasted, outlines, round_off, ends);
   drop_doubles(outlines, round_off, ends);

@@ -9,14 +9,28 @@
 // but for round-off is never settled by an order: other covers that keep the blocks apart as long both count.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "engine/contact/entrance_cover.h"
 
 namespace dda {
 
+// One end of a cover, as translations of the block with the lower number see it.
+struct CoverEnd {
+  std::pair<int, int> vertices;  // that meet there
+  Cover* cover;
+  int vertex;   // the one of the edge's block
+  Vec2 along;   // from the end along the cover; not a unit vector
+  Vec2 normal;  // unit, out of the entrance block
+
+  [[nodiscard]] bool is_near() const { return cover->beyond <= 0 || cover->corner == vertex; }
+  [[nodiscard]] double gap() const { return cover->contact.gap; }
+};
+
 // Takes out the covers that do not count. `reach`: m, as given to find_covers. `round_off`: m, gaps and
-// stretches that count as none.
-void choose_at_corners(const Outlines& outlines, double reach, double round_off, std::vector<Cover>& covers);
+// stretches that count as none. `ends` is scratch.
+void choose_at_corners(const Outlines& outlines, double reach, double round_off, std::vector<Cover>& covers,
+                       std::vector<CoverEnd>& ends);
 
 }  // namespace dda

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 
 #include "engine/contact/contact_sharing.h"
@@ -78,7 +79,6 @@ class CoveredCorners {
   CoveredCorners(const ContactSearch& search, const std::vector<Carrier>& joints, std::size_t contacts)
       : search_(search), outlines_(search.outlines()) {
     carriers_.reserve(joints.size() + contacts);
-    by_block_.reserve(2 * carriers_.capacity());
     const auto coming = [&](int block) { return outlines_.coming[at(outlines_.starts[at(block)])]; };
     for (const Carrier& joint : joints) carriers_.push_back({joint, coming(joint.block_a), coming(joint.block_b)});
   }
@@ -92,12 +92,12 @@ class CoveredCorners {
   }
 
   void sort() {
-    if (by_block_.size() == 2 * carriers_.size()) return;
-    for (std::size_t i = by_block_.size() / 2; i < carriers_.size(); ++i) {
-      by_block_.emplace_back(carriers_[i].there.block_a, i);
-      by_block_.emplace_back(carriers_[i].there.block_b, i);
-    }
-    std::sort(by_block_.begin(), by_block_.end());
+    if (!starts_.empty() && of_blocks_.size() == 2 * carriers_.size()) return;
+    starts_.assign(at(outlines_.blocks()) + 2, 0);
+    for_each_side([&](int block, std::size_t) { ++starts_[at(block) + 2]; });
+    std::partial_sum(starts_.begin(), starts_.end(), starts_.begin());
+    of_blocks_.resize(2 * carriers_.size());
+    for_each_side([&](int block, std::size_t carrier) { of_blocks_[starts_[at(block) + 1]++] = carrier; });
   }
 
   [[nodiscard]] bool cover(const VertexContact& contact) const {
@@ -146,14 +146,21 @@ class CoveredCorners {
   // Asks of all that carry a block: is(carrier, the block that carries, the normal of its surface).
   template <typename Is>
   [[nodiscard]] bool any_of_carriers(int block, Is is) const {
-    const auto first = std::lower_bound(by_block_.begin(), by_block_.end(), std::pair{block, std::size_t{0}});
-    for (auto each = first; each != by_block_.end() && each->first == block; ++each) {
-      const MovingCarrier& carrier = carriers_[each->second];
+    for (std::size_t i = starts_[at(block)]; i < starts_[at(block) + 1]; ++i) {
+      const MovingCarrier& carrier = carriers_[of_blocks_[i]];
       const bool is_b = carrier.there.block_b == block;
       const int third = is_b ? carrier.there.block_a : carrier.there.block_b;
       if (is(carrier, third, is_b ? carrier.there.normal : Vec2(-carrier.there.normal))) return true;
     }
     return false;
+  }
+
+  template <typename Act>
+  void for_each_side(Act act) const {
+    for (std::size_t i = 0; i < carriers_.size(); ++i) {
+      act(carriers_[i].there.block_a, i);
+      act(carriers_[i].there.block_b, i);
+    }
   }
 
   struct MovingCarrier {
@@ -164,7 +171,8 @@ class CoveredCorners {
   const ContactSearch& search_;
   const Outlines& outlines_;
   std::vector<MovingCarrier> carriers_;
-  std::vector<std::pair<int, std::size_t>> by_block_;
+  std::vector<std::size_t> of_blocks_;  // what carries the first block, then the second, ...
+  std::vector<std::size_t> starts_;     // block -> first of its own there; the last entry but one is their number
 };
 
 // Whether they are sorted in.

@@ -14,14 +14,14 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 // Tries one block's vertices against another's edges.
 class Side {
  public:
-  Side(const Outlines& outlines, int vertex_block, int edge_block, double reach, double depth, double round_off)
+  Side(const Outlines& outlines, int vertex_block, int edge_block, const CoverRange& range)
       : outlines_(outlines),
         vertex_block_(vertex_block),
         edge_block_(edge_block),
-        reach_(reach),
-        round_off_(round_off),
-        farthest_squared_(std::max(reach * reach, depth * depth)),
-        depth_(depth) {}
+        reach_(range.reach),
+        round_off_(range.round_off),
+        farthest_squared_(std::max(range.reach * range.reach, range.depth * range.depth)),
+        depth_(range.depth) {}
 
   void collect(std::vector<Cover>& found) const {
     // Behind one edge of a corner a vertex may be as far past the other one: boxes that end nearer would make contacts
@@ -42,7 +42,7 @@ class Side {
     const double squared = along.squaredNorm();
     const double gap_by_length = cross(offset, along);
     if (gap_by_length * gap_by_length > squared * farthest_squared_) return;
-    const double length = std::sqrt(squared);
+    const double length = outlines_.length_of(edge);
     const double gap = gap_by_length / length;
     const double place = offset.dot(along) / length;
     const double beyond = std::max(-place, place - length);
@@ -72,11 +72,10 @@ class Side {
   // Whether both edges of the vertex leave on the normal's side, but for the slack, and do not face the same way as the
   // edge: a needle's tip passes the first test on both of its sides.
   [[nodiscard]] bool faces(int vertex, const Vec2& normal) const {
-    const Vec2 out = outlines_.along(vertex);
-    const double out_length = out.norm();
+    const int before = outlines_.previous[at(vertex)];
+    const Vec2 out = outlines_.along(vertex), in = outlines_.along(before);
+    const double out_length = outlines_.length_of(vertex), in_length = outlines_.length_of(before);
     if (normal.dot(out) < -entrance_slack * out_length) return false;
-    const Vec2 in = outlines_.along(outlines_.previous[at(vertex)]);
-    const double in_length = in.norm();
     if (normal.dot(in) > entrance_slack * in_length) return false;
     return cross(normal, out) * in_length + cross(normal, in) * out_length < 0;
   }
@@ -97,11 +96,10 @@ Vec2 normal_of(const Outlines& outlines, int edge) {
   return Vec2(along.y(), -along.x()).normalized();
 }
 
-std::vector<Cover> find_covers(const Outlines& outlines, int a, int b, double reach, double depth, double round_off) {
-  std::vector<Cover> found;
-  Side(outlines, a, b, reach, depth, round_off).collect(found);
-  Side(outlines, b, a, reach, depth, round_off).collect(found);
-  return found;
+void find_covers(const Outlines& outlines, int a, int b, const CoverRange& range, std::vector<Cover>& found) {
+  found.clear();
+  Side(outlines, a, b, range).collect(found);
+  Side(outlines, b, a, range).collect(found);
 }
 
 }  // namespace dda

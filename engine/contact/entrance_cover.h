@@ -29,6 +29,7 @@ struct Cover {
   // foreseen closes the gap; -infinity where it closes none.
   std::array<double, 2> met_past = {-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   bool counts = true;  // as a contact
+  bool goes = false;   // counts no more once all have been asked
 };
 
 // Sine of the angle by which a vertex' own edges may dip below the edge it rests on: contacts of blocks that lie flat
@@ -38,8 +39,14 @@ inline constexpr double entrance_slack = 0.05;
 // Unit normal of an edge, out of its block.
 Vec2 normal_of(const Outlines& outlines, int edge);
 
-// Covers within `reach` (m) of the place taken now, or at most `depth` (m) behind it. Feet
-// nearer to an end than `round_off` (m) are at the end.
-std::vector<Cover> find_covers(const Outlines& outlines, int a, int b, double reach, double depth, double round_off);
+// How far from the place taken now, m.
+struct CoverRange {
+  double reach;      // the largest gap
+  double depth;      // how far behind the edge
+  double round_off;  // gaps and places on edges that differ by less are the same
+};
+
+// Puts the covers of two blocks in the place of what `found` holds.
+void find_covers(const Outlines& outlines, int a, int b, const CoverRange& range, std::vector<Cover>& found);
 
 }  // namespace dda

@@ -1,6 +1,8 @@
 // Interfaces: where the outlines of two blocks touch. Found once from the reference geometry.
 #pragma once
 
+#include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "engine/core/types.h"
@@ -28,6 +30,11 @@ struct Interface {
     archive(from, to, normal, length, share, closed);
   }
 };
+
+// The two blocks, the smaller index first.
+inline std::pair<int, int> blocks_of(const Interface& interface) {
+  return std::minmax(interface.block_a, interface.block_b);
+}
 
 // What a contact in a point stands for, of the smaller block's size (the side of the square with its area).
 inline constexpr double point_share = 0.05;

@@ -32,21 +32,9 @@ const JointMaterial& joint_of(const Model& model, const Interface& interface) {
   return model.joints[at(interface.joint)];
 }
 
-// The two blocks of an interface, the smaller index first.
-std::pair<int, int> pair_of(const Interface& interface) { return std::minmax(interface.block_a, interface.block_b); }
-
-class PairsOfBlocks {
- public:
-  void add(const std::pair<int, int>& pair) { pairs_.push_back(pair); }
-  void sort() { std::sort(pairs_.begin(), pairs_.end()); }
-  // The pairs must have been sorted.
-  [[nodiscard]] bool has(const std::pair<int, int>& pair) const {
-    return std::binary_search(pairs_.begin(), pairs_.end(), pair);
-  }
-
- private:
-  std::vector<std::pair<int, int>> pairs_;
-};
+bool any_ends(const std::vector<char>& ends) {
+  return std::ranges::any_of(ends, [](char each) { return each != 0; });
+}
 
 // Normal and shear force of a stretch at one end and at the other.
 Vec4 ends_force(const InterfaceElement& element, const InterfaceState& state) {
@@ -63,7 +51,7 @@ bool depends_on_length(const JointMaterial& joint) {
 }  // namespace
 
 MovingContacts::MovingContacts(const Model& model, const State& state, ContactSet& contacts)
-    : search_(model, state), surfaces_(model, search_.outlines()) {
+    : search_(model, state), surfaces_(model, search_.outlines()), ending_(model) {
   stretches_ = contacts.interfaces.size();
   end_stretches(model, state, true, contacts);
   refresh(model, state, state, contacts);
@@ -84,7 +72,8 @@ bool MovingContacts::follow(const Model& model, const State& state, const State&
 
 void MovingContacts::let_part(const Model& model, State& state, ContactSet& contacts) {
   if (contacts.outline_compliance.empty()) return;
-  const std::vector<char> ends = ending_stretches(model, state, contacts, false);
+  const std::vector<char> ends = ending_.find(model, state, contacts, stretches_, false);
+  if (!any_ends(ends)) return;
   keep_ends(model, state, contacts, false, ends);
   // Stretches of one block that part at once let go of the stress it had with all of them, in whatever order they are.
   std::vector<std::pair<std::size_t, StressLetGo>> let_go;
@@ -157,33 +146,9 @@ void MovingContacts::begin_anew(const Model& model, const std::vector<bool>& com
   }
 }
 
-// Stretches that vertex contacts take the place of: dry ones and lone vertices at the start, later those broken at both
-// ends; projected ones when they have parted. The stretches of a pair end together, since no vertex contacts are looked
-// for between blocks that have one.
-std::vector<char> MovingContacts::ending_stretches(const Model& model, const State& state, const ContactSet& contacts,
-                                                   bool dry_ones) const {
-  PairsOfBlocks firm, closed, parted;
-  for (std::size_t i = 0; i < stretches_; ++i) {
-    const Interface& interface = contacts.interfaces[i];
-    const auto& broken = contacts.states[i].broken;
-    const bool holds = dry_ones ? !is_dry(joint_of(model, interface)) : !broken[0] || !broken[1];
-    if (interface.length > 0 && holds) firm.add(pair_of(interface));
-    if (contacts.elements.own()[i].law != InterfaceLaw::projected) continue;
-    const bool stays = touch_there_alone(model, interface) && !has_parted(model, state, interface);
-    (stays ? closed : parted).add(pair_of(interface));
-  }
-  for (PairsOfBlocks* each : {&firm, &closed, &parted}) each->sort();
-  std::vector<char> ends(stretches_);
-  for (std::size_t i = 0; i < stretches_; ++i) {
-    const std::pair<int, int> pair = pair_of(contacts.interfaces[i]);
-    const bool stays = firm.has(pair) || (closed.has(pair) && !parted.has(pair));
-    ends[i] = stays ? 0 : 1;
-  }
-  return ends;
-}
-
 void MovingContacts::end_stretches(const Model& model, const State& state, bool dry_ones, ContactSet& contacts) {
-  const std::vector<char> ends = ending_stretches(model, state, contacts, dry_ones);
+  const std::vector<char> ends = ending_.find(model, state, contacts, stretches_, dry_ones);
+  if (!any_ends(ends)) return;
   keep_ends(model, state, contacts, dry_ones, ends);
   drop_stretches(ends, contacts);
 }
@@ -259,7 +224,6 @@ void MovingContacts::drop_stretches(const std::vector<char>& ends, ContactSet& c
     contacts.states[kept] = contacts.states[i];
     ++kept;
   }
-  if (kept == stretches_) return;
   const auto erase = [&](auto& entries) {
     const auto place = [&](std::size_t i) { return entries.begin() + static_cast<std::ptrdiff_t>(i); };
     entries.erase(place(kept), place(stretches_));
@@ -281,7 +245,7 @@ void MovingContacts::refresh(const Model& model, const State& state, const State
   Succession succession(known_, all.contacts, all.of_faces, search_.outlines());
   const std::vector<std::optional<InterfaceState>> left = left_by_stretches(model, all.contacts, succession.earlier());
   const std::vector<Heritage> heritage = heritage_of(all, left, contacts, succession);
-  contacts.states = take_in(model, acting, all, heritage, contacts);
+  take_in(model, acting, all, heritage, contacts);
   known_ = all.contacts;
   if (!contacts.outline_compliance.empty()) take_off_blocks(model, contacts);
 }
@@ -290,7 +254,7 @@ void MovingContacts::refresh(const Model& model, const State& state, const State
 std::vector<std::pair<int, int>> MovingContacts::pairs_of_stretches(const ContactSet& contacts) const {
   std::vector<std::pair<int, int>> pairs;
   pairs.reserve(stretches_);
-  for (std::size_t i = 0; i < stretches_; ++i) pairs.push_back(pair_of(contacts.interfaces[i]));
+  for (std::size_t i = 0; i < stretches_; ++i) pairs.push_back(blocks_of(contacts.interfaces[i]));
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }
@@ -346,19 +310,19 @@ std::vector<MovingContacts::Heritage> MovingContacts::heritage_of(
   return heritage;
 }
 
-// Puts what was found in the place of the vertex contacts of before; returns the states of all.
-std::vector<InterfaceState> MovingContacts::take_in(const Model& model, const State& acting, const FoundContacts& all,
-                                                    const std::vector<Heritage>& heritage, ContactSet& contacts) {
+// Puts what was found in the place of the vertex contacts of before.
+void MovingContacts::take_in(const Model& model, const State& acting, const FoundContacts& all,
+                             const std::vector<Heritage>& heritage, ContactSet& contacts) {
   std::vector<InterfaceElement>& elements = contacts.elements.edit();
   stiffness_before_.clear();
   for (std::size_t i = stretches_; i < elements.size(); ++i)
     stiffness_before_.emplace_back(elements[i].stiffness.head<2>());
+  states_before_.assign(contacts.states.begin() + static_cast<std::ptrdiff_t>(stretches_), contacts.states.end());
   const std::size_t total = stretches_ + all.contacts.size();
   contacts.interfaces.resize(total);
   elements.resize(total);
   contacts.strengths.resize(total);
-  std::vector<InterfaceState> states(total);
-  std::copy_n(contacts.states.begin(), stretches_, states.begin());
+  contacts.states.resize(total);
   parallel_for_each(all.contacts.size(), contacts_worth_sharing, [&](std::size_t i) {
     const VertexContact& contact = all.contacts[i];
     const std::size_t entry = stretches_ + i;
@@ -366,23 +330,21 @@ std::vector<InterfaceState> MovingContacts::take_in(const Model& model, const St
     contacts.interfaces[entry] = interface;
     elements[entry] = make_element(model, interface, InterfaceLaw::classical);
     set_geometry(model, acting_frame(model, acting, search_.outlines(), contact), elements[entry]);
-    states[entry] = state_of(joint_of(model, interface), elements[entry], contact, heritage[i], contacts.states);
-    contacts.strengths[entry] = strength_of_vertex(joint_of(model, interface), interface.closed, states[entry]);
+    contacts.states[entry] = state_of(joint_of(model, interface), elements[entry], contact, heritage[i]);
+    contacts.strengths[entry] =
+        strength_of_vertex(joint_of(model, interface), interface.closed, contacts.states[entry]);
   });
-  return states;
 }
 
-// `states`: those of before.
 InterfaceState MovingContacts::state_of(const JointMaterial& joint, const InterfaceElement& element,
-                                        const VertexContact& contact, const Heritage& heritage,
-                                        const std::vector<InterfaceState>& states) const {
-  const auto state_before = [&](std::ptrdiff_t known) { return &states[stretches_ + static_cast<std::size_t>(known)]; };
+                                        const VertexContact& contact, const Heritage& heritage) const {
   InterfaceState own;
   if (heritage.earlier >= 0) {
-    own = continued_state(*state_before(heritage.earlier), known_[static_cast<std::size_t>(heritage.earlier)], contact,
-                          stiffness_before_[static_cast<std::size_t>(heritage.earlier)], element);
+    const auto earlier = static_cast<std::size_t>(heritage.earlier);
+    own = continued_state(states_before_[earlier], known_[earlier], contact, stiffness_before_[earlier], element);
   } else {
-    const InterfaceState* beside = heritage.beside < 0 ? nullptr : state_before(heritage.beside);
+    const InterfaceState* beside =
+        heritage.beside < 0 ? nullptr : &states_before_[static_cast<std::size_t>(heritage.beside)];
     own = first_state(joint, element, contact.gap, heritage.from_stretch, beside);
   }
   measure(element, contact.gap, own);

@@ -11,6 +11,7 @@
 #include "engine/contact/contact_search.h"
 #include "engine/contact/contact_set.h"
 #include "engine/contact/covered_corners.h"
+#include "engine/contact/ending_stretches.h"
 #include "engine/contact/join_blocks.h"
 #include "engine/contact/lost_ends.h"
 #include "engine/contact/succession.h"
@@ -64,16 +65,16 @@ class MovingContacts {
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [search, surfaces, lost_ends, stretches, known, stiffness_before, covered, of_stretches, uncovered] = self;
-    // Surfaces are the drawing's; no end is lost between steps; what springs were is asked within a search.
+    auto& [search, surfaces, ending, lost_ends, stretches, known, stiffness_before, states_before, covered,
+           of_stretches, uncovered] = self;
+    // Surfaces and shapes are the drawing's; no end is lost between steps; what springs and states were is asked within
+    // a search.
     archive(search, stretches, known, covered);
     archive.pairs_of_blocks(of_stretches);
     archive.pairs_of_blocks(uncovered);
   }
 
  private:
-  [[nodiscard]] std::vector<char> ending_stretches(const Model& model, const State& state, const ContactSet& contacts,
-                                                   bool dry_ones) const;
   void keep_ends(const Model& model, const State& state, const ContactSet& contacts, bool dry_ones,
                  const std::vector<char>& ends);
   void drop_stretches(const std::vector<char>& ends, ContactSet& contacts);
@@ -100,11 +101,10 @@ class MovingContacts {
   [[nodiscard]] std::vector<Heritage> heritage_of(const FoundContacts& all,
                                                   const std::vector<std::optional<InterfaceState>>& left,
                                                   const ContactSet& contacts, Succession& succession) const;
-  std::vector<InterfaceState> take_in(const Model& model, const State& acting, const FoundContacts& all,
-                                      const std::vector<Heritage>& heritage, ContactSet& contacts);
+  void take_in(const Model& model, const State& acting, const FoundContacts& all, const std::vector<Heritage>& heritage,
+               ContactSet& contacts);
   [[nodiscard]] InterfaceState state_of(const JointMaterial& joint, const InterfaceElement& element,
-                                        const VertexContact& contact, const Heritage& heritage,
-                                        const std::vector<InterfaceState>& states) const;
+                                        const VertexContact& contact, const Heritage& heritage) const;
   void forget_corners_apart(const std::vector<VertexContact>& found);
   [[nodiscard]] Interface interface_of(const Model& model, const VertexContact& contact, double share) const;
   [[nodiscard]] std::vector<std::optional<InterfaceState>> left_by_stretches(
@@ -112,10 +112,12 @@ class MovingContacts {
 
   ContactSearch search_;
   SurfaceJoints surfaces_;
+  EndingStretches ending_;
   LostEnds lost_ends_;                             // between the loss of a stretch and the next search
   std::size_t stretches_ = 0;                      // leading entries of the ContactSet that are joints with strength
   std::vector<VertexContact> known_;               // the others, in the same order
   std::vector<Vec2> stiffness_before_;             // of their springs at the search before, normal and shear
+  std::vector<InterfaceState> states_before_;      // theirs at the search before
   std::vector<VertexContact> covered_;             // what the last search has taken out
   std::vector<std::pair<int, int>> of_stretches_;  // the last search's: pairs_of_stretches
   std::vector<std::pair<int, int>> uncovered_;  // blocks whose corners are contacts all the same; smaller first, sorted

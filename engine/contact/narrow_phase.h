@@ -8,18 +8,32 @@
 #include <functional>
 #include <vector>
 
+#include "engine/contact/cover_corners.h"
+#include "engine/contact/entrance_cover.h"
 #include "engine/contact/outlines.h"
 #include "engine/contact/vertex_contact.h"
 
 namespace dda {
 
-// Contacts between blocks `a` and `b` with gaps from -`depth` to `reach` (m). Gaps and places on edges that differ by
-// less than `round_off` (m) are the same.
-void find_vertex_contacts(const Outlines& outlines, int a, int b, double reach, double depth, double round_off,
-                          std::vector<VertexContact>& found);
+// One for each thread: it keeps the memory that pairs need in turn.
+class NarrowPhase {
+ public:
+  explicit NarrowPhase(const Outlines& outlines) : outlines_(outlines) {}
 
-// The same as if the covers that `is_out` says so of were not there.
-void find_vertex_contacts(const Outlines& outlines, int a, int b, double reach, double depth, double round_off,
-                          const std::function<bool(const VertexContact&)>& is_out, std::vector<VertexContact>& found);
+  // Appends the contacts between blocks `a` and `b`.
+  void find(int a, int b, const CoverRange& range, std::vector<VertexContact>& found);
+
+  // The same as if the covers that `is_out` says so of were not there.
+  void find(int a, int b, const CoverRange& range, const std::function<bool(const VertexContact&)>& is_out,
+            std::vector<VertexContact>& found);
+
+ private:
+  void choose(const CoverRange& range, std::vector<VertexContact>& found);
+
+  const Outlines& outlines_;
+  std::vector<Cover> covers_;
+  std::vector<Cover*> pressed_;
+  std::vector<CoverEnd> ends_;
+};
 
 }  // namespace dda

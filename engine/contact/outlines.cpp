@@ -32,6 +32,7 @@ Outlines make_outlines(const Model& model, const State& state) {
     outlines.starts.push_back(static_cast<int>(outlines.reference.size()));
   }
   outlines.current.resize(outlines.reference.size());
+  outlines.length.resize(outlines.reference.size());
   outlines.coming.assign(outlines.reference.size(), Vec2::Zero());
   outlines.boxes.resize(model.blocks.size());
   update_outlines(model, state, outlines);
@@ -47,6 +48,8 @@ void update_outlines(const Model& model, const State& state, Outlines& outlines)
       outlines.current[vertex] = centroid + state.deformation[block] * outlines.reference[vertex];
       box = expanded(box, outlines.current[vertex]);
     }
+    for (int i = outlines.starts[block]; i < outlines.starts[block + 1]; ++i)
+      outlines.length[static_cast<std::size_t>(i)] = outlines.along(i).norm();
     outlines.boxes[block] = box;
   });
 }

@@ -16,15 +16,17 @@ struct Outlines {
   std::vector<int> starts;      // block -> first of its vertices; one more entry than blocks
   std::vector<Vec2> reference;  // offsets from the block's reference centroid, m
   std::vector<int> next, previous;
-  std::vector<Vec2> current;  // positions, m
-  std::vector<Vec2> coming;   // displacements foreseen for the step, m; zero where none are
-  std::vector<Box> boxes;     // of each block's current outline
+  std::vector<Vec2> current;   // positions, m
+  std::vector<double> length;  // of the edges, m
+  std::vector<Vec2> coming;    // displacements foreseen for the step, m; zero where none are
+  std::vector<Box> boxes;      // of each block's current outline
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [starts, reference, next, previous, current, coming, boxes] = self;
+    auto& [starts, reference, next, previous, current, length, coming, boxes] = self;
     // The others are the drawing's. These are of the last search, which a step may be judged by that makes none.
     archive.each(current);
+    archive.each(length);
     archive.each(coming);
     archive.each(boxes);
   }
@@ -36,6 +38,8 @@ struct Outlines {
     const auto first = static_cast<std::size_t>(edge);
     return current[static_cast<std::size_t>(next[first])] - current[first];
   }
+
+  [[nodiscard]] double length_of(int edge) const { return length[static_cast<std::size_t>(edge)]; }
 };
 
 Outlines make_outlines(const Model& model, const State& state);

@@ -34,16 +34,6 @@ Vec4 drawn_gap(const Model& model, const Interface& interface, const InterfaceEl
 // Sine of the angle by which a corner may point inwards, or an outline be off a line, and count as straight.
 constexpr double straight = 0.01;
 
-bool points_outwards(const Polygon& shape) {
-  const Ring& ring = shape.outer;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Vec2 before = ring[(i + 1) % ring.size()] - ring[i];
-    const Vec2 after = ring[(i + 2) % ring.size()] - ring[(i + 1) % ring.size()];
-    if (cross(before, after) < -straight * before.norm() * after.norm()) return false;
-  }
-  return shape.holes.empty();
-}
-
 // Where the outline of a block is, seen from the line of a stretch that `outwards` points away from the block.
 struct SeenFromStretch {
   bool is_beyond = false;                              // somewhere it is on the other side of the line
@@ -110,6 +100,16 @@ void press_in_part(const InterfaceElement& element, InterfaceState& own) {
 }
 
 }  // namespace
+
+bool points_outwards(const Polygon& shape) {
+  const Ring& ring = shape.outer;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Vec2 before = ring[(i + 1) % ring.size()] - ring[i];
+    const Vec2 after = ring[(i + 2) % ring.size()] - ring[(i + 1) % ring.size()];
+    if (cross(before, after) < -straight * before.norm() * after.norm()) return false;
+  }
+  return shape.holes.empty();
+}
 
 bool has_parted(const Model& model, const State& state, const Interface& interface) {
   const EndsApart ends = ends_apart(model, state, interface);

@@ -40,6 +40,9 @@ inline bool gapes(const InterfaceElement& element, const InterfaceState& state) 
 // the end that stays.
 bool has_parted(const Model& model, const State& state, const Interface& interface);
 
+// Whether the outline has neither a corner that points inwards, by more than half a degree, nor a hole.
+bool points_outwards(const Polygon& shape);
+
 // Whether two blocks can touch nowhere else as long as they have the stretch, but for half a degree: neither has a
 // corner that points inwards, nor a hole; or the line of the stretch lies between them, as along a joint that was cut
 // right through, and past an end of the stretch one of them has left it. What else there is of the blocks, the arc of

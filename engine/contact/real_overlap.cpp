@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "engine/core/sort_few.h"
 #include "engine/geometry/segment.h"
 
 namespace dda {
@@ -109,6 +110,9 @@ bool are_nearby(const Outlines& outlines, const Cover& deep, const Cover& shallo
   return apart.norm() <= -nearby * deep.contact.gap;
 }
 
+// A true claim of a cover that the vertex is on.
+bool is_way_out(const Cover& cover) { return cover.counts && cover.beyond <= 0; }
+
 // Whether the deep cover's claim holds where the shallow one's way out has been taken.
 bool is_needed_after(const Outlines& outlines, const Cover& deep, const Cover& shallow) {
   const double side = deep.contact.vertex_block == shallow.contact.vertex_block ? 1 : -1;
@@ -146,23 +150,23 @@ void keep_where_corners_passed(const Outlines& outlines, const std::vector<Cover
 
 }  // namespace
 
-void drop_unreal(const Outlines& outlines, double round_off, std::vector<Cover>& covers) {
-  std::vector<Cover*> pressed;
+void drop_unreal(const Outlines& outlines, double round_off, std::vector<Cover>& covers, std::vector<Cover*>& pressed) {
+  pressed.clear();
   for (Cover& cover : covers)
     if (cover.contact.gap < -round_off) pressed.push_back(&cover);
   if (pressed.empty()) return;
-  std::stable_sort(pressed.begin(), pressed.end(),
-                   [](const Cover* i, const Cover* j) { return i->contact.gap > j->contact.gap; });
-  std::vector<const Cover*> ways_out;
-  for (Cover* cover : pressed) {
-    cover->counts = Claim(outlines, *cover, Vec2::Zero()).is_true();
-    if (!cover->counts || cover->beyond > 0) continue;
-    cover->counts = std::all_of(ways_out.begin(), ways_out.end(), [&](const Cover* shallow) {
-      return !are_nearby(outlines, *cover, *shallow) || is_needed_after(outlines, *cover, *shallow);
+  sort_few(pressed, [](const Cover* i, const Cover* j) { return i->contact.gap > j->contact.gap; });
+  for (auto each = pressed.begin(); each != pressed.end(); ++each) {
+    Cover& cover = **each;
+    cover.counts = Claim(outlines, cover, Vec2::Zero()).is_true();
+    if (!is_way_out(cover)) continue;
+    cover.counts = std::all_of(pressed.begin(), each, [&](const Cover* shallow) {
+      return !is_way_out(*shallow) || !are_nearby(outlines, cover, *shallow) ||
+             is_needed_after(outlines, cover, *shallow);
     });
-    if (cover->counts) ways_out.push_back(cover);
   }
-  if (ways_out.empty()) keep_where_corners_passed(outlines, pressed);
+  if (std::ranges::none_of(pressed, [](const Cover* cover) { return is_way_out(*cover); }))
+    keep_where_corners_passed(outlines, pressed);
   std::erase_if(covers, [](const Cover& cover) { return !cover.counts; });
 }
 

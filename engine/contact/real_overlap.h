@@ -17,6 +17,7 @@ namespace dda {
 // Takes out covers whose gap is negative but whose overlap is not real. `round_off`: m, gaps that count as none.
 // Where no claim is true but the outlines cross as deep as the shallowest cover claims, because corners have passed
 // each other, that cover stays.
-void drop_unreal(const Outlines& outlines, double round_off, std::vector<Cover>& covers);
+// `pressed` is scratch.
+void drop_unreal(const Outlines& outlines, double round_off, std::vector<Cover>& covers, std::vector<Cover*>& pressed);
 
 }  // namespace dda

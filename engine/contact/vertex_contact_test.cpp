@@ -35,7 +35,7 @@ Outlines outlines_of(const std::vector<Polygon>& shapes) {
 
 std::vector<VertexContact> contacts_of(const Outlines& outlines) {
   std::vector<VertexContact> found;
-  find_vertex_contacts(outlines, 0, 1, reach, depth, corner, found);
+  NarrowPhase(outlines).find(0, 1, {reach, depth, corner}, found);
   std::sort(found.begin(), found.end());
   return found;
 }

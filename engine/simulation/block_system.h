@@ -20,6 +20,7 @@
 #include "engine/simulation/excavated.h"
 #include "engine/simulation/external_forces.h"
 #include "engine/simulation/forces_of_parts.h"
+#include "engine/simulation/kept_forces.h"
 #include "engine/simulation/lining_set.h"
 #include "engine/simulation/load_time.h"
 #include "engine/simulation/settling_drag.h"
@@ -44,13 +45,15 @@ struct BlockForces {
   Eigen::VectorXd internal_old, internal_new;
   Eigen::VectorXd by_faces;           // what loads on faces add to those of the start in the step under way
                                       // (face_loads.h); empty: nothing
+  KeptForces kept;                    // of the start of the step under way
   std::vector<Vec6> measured;         // what measuring gaps anew made of forces on held.blocks since the last step
   double most_exchanged = 0;          // N per m of thickness, in the static stage under way (equilibrium.h)
   std::vector<double> asked_balance;  // the same unit, of each block, in the step under way; empty: not asked
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [load_old, load_new, internal_old, internal_new, by_faces, measured, most_exchanged, asked_balance] = self;
+    auto& [load_old, load_new, internal_old, internal_new, by_faces, kept, measured, most_exchanged, asked_balance] =
+        self;
     archive.of_blocks(load_old, 6);
     archive.of_blocks(internal_old, 6);
     archive(most_exchanged);  // the others are written before they are read, or zero between steps

@@ -85,6 +85,7 @@ void EnergyAudit::record(const StepCoefficients& step, double inertia_work, cons
   double weighted = 0;
   if (off_centre != 0)
     weighted = off_centre * (dot(d, forces.internal_new) - dot(d, forces.internal_old) - (work_new - work_old));
+  if (forces.jump.size() > 0) weighted -= step.load_old * dot(d, forces.jump);
   record({(work_old + work_new) / 2, weight, inertia_work, weighted}, stored);
 }
 

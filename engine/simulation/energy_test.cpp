@@ -254,7 +254,6 @@ TEST(EnergyLedger, FrictionNeverGivesBack) {
   EXPECT_GE(scenes_that_slid, 14);  // of 15: one sticks in all of its impacts
 }
 
-// A block on a dashpot stepped by hand, with the audit told of another dashpot than the one that acted.
 // A joint is replaced by another that stores 3 J less, and the step is solved once more in the geometry that is reached
 // with it: the loss is booked once.
 TEST(EnergyAudit, BooksAReplacedInterfaceOnceThoughItsStepIsSolvedAgain) {
@@ -265,13 +264,14 @@ TEST(EnergyAudit, BooksAReplacedInterfaceOnceThoughItsStepIsSolvedAgain) {
     audit.start({0, 0, 10});
     audit.interface_replaced(3);
     if (solved_again) audit.geometry_followed({0, 0, 7});
-    audit.record(step, 0, {0, 0, 7}, {none, none, none, none, none}, none);
+    audit.record(step, 0, {0, 0, 7}, {none, none, none, none, none, none}, none);
     EXPECT_DOUBLE_EQ(audit.ledger().law_changes, 3);
     EXPECT_DOUBLE_EQ(audit.ledger().numerical, 0);
     EXPECT_DOUBLE_EQ(audit.ledger().residual(), 0);
   }
 }
 
+// A block on a dashpot stepped by hand, with the audit told of another dashpot than the one that acted.
 TEST(EnergyAudit, ReactsToAWrongDampingMatrix) {
   Model model = model_of({{box_ring(0, 0, 2, 1), {}}});
   model.blocks[0].initial_velocity = {1, 0.3};
@@ -304,7 +304,7 @@ TEST(EnergyAudit, ReactsToAWrongDampingMatrix) {
       Eigen::VectorXd new_force = none;
       new_force.tail<3>() = terms.area[0] * state.stress[0];
       audit.record(step, work, {kinetic_energy(terms, state), strain_energy(terms, state), 0},
-                   {none, none, none, old_force, new_force}, d);
+                   {none, none, none, old_force, new_force, none}, d);
       old_force = new_force;
     }
     const EnergyLedger& ledger = audit.ledger();

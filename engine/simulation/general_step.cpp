@@ -182,10 +182,10 @@ void GeneralStep::follow_geometry() {
   const double ahead = system_.coefficients.acts_at * system_.coefficients.dt;
   const double coming = largest_motion_within(system_, ahead);
   const double tolerance = geometry_tolerance(system_);
-  if (std::max(moved_, coming) > tolerance)
-    place_geometry(coming > tolerance ? coming : 0);
-  else
-    foresee_nothing(system_.supports);
+  if (std::max(moved_, coming) <= tolerance) return foresee_nothing(system_.supports);
+  system_.forces.kept.note(system_);
+  place_geometry(coming > tolerance ? coming : 0);
+  system_.forces.kept.compare(system_);
 }
 
 void GeneralStep::place_geometry(double coming) {

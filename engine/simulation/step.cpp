@@ -27,11 +27,12 @@ void move_blocks(Kinematics kinematics, BlockSystem& system) {
 
 double finish_step(double inertia_work, const StoredEnergy& stored, BlockSystem& system) {
   BlockForces& forces = system.forces;
-  system.audit.record(
-      system.coefficients, inertia_work, stored,
-      {forces.load_old, forces.load_new, system.external.weight(), forces.internal_old, forces.internal_new},
-      system.increment);
+  system.audit.record(system.coefficients, inertia_work, stored,
+                      {forces.load_old, forces.load_new, system.external.weight(), forces.internal_old,
+                       forces.internal_new, forces.kept.jump()},
+                      system.increment);
   audit_held_blocks(system);
+  forces.kept.forget();
   const double factor = damp_velocities(system);
   if (!system.plan.is_static) set_held_rates(system.model, system.state);
   forces.internal_old.swap(forces.internal_new);

@@ -35,7 +35,7 @@ struct StepForces {
   const Eigen::VectorXd& weight;
   const Eigen::VectorXd& internal_old;
   const Eigen::VectorXd& internal_new;
-  const Eigen::VectorXd& jump;  // how much of internal_old did not act (kept_forces.h); may be empty
+  const Eigen::VectorXd& jump;  // how much of internal_old did not act (measured_anew.h); may be empty
 };
 
 // Work d . M a_w against the inertia of blocks that are not coupled by it; before the state moves.
@@ -129,7 +129,7 @@ class EnergyAudit {
   // The motion of held blocks: work (J per m of thickness) of the forces that moved them, by their values at the start
   // and at the end of the step. No integrator acts on these blocks: what record() took for its doing is taken back.
   // `by_measuring`: how much of those at the start came of gaps that were measured anew, and `by_jump` what of that the
-  // balance did not have (kept_forces.h). It has of the rest as much as it has without that, alpha_f of the start and
+  // balance did not have (measured_anew.h). It has of the rest as much as it has without that, alpha_f of the start and
   // what is left of the end, and their mean is off by what is taken off here; it counts as numerical, as measuring anew
   // itself does.
   void held_blocks_moved(const StepCoefficients& step, double by_old, double by_new, double by_measuring,

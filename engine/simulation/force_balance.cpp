@@ -14,7 +14,7 @@ void form_rhs(const BlockSystem& system, Eigen::VectorXd& rhs) {
   const State& state = system.state;
   const BlockForces& forces = system.forces;
   rhs = -forces.internal_old;
-  if (forces.kept.jump().size() > 0) rhs += c.load_old * forces.kept.jump();
+  if (forces.kept.jump.size() > 0) rhs += c.load_old * forces.kept.jump;
   if (forces.by_faces.size() > 0) rhs -= c.stiffness * forces.by_faces;
   if (system.plan.loads) rhs += c.load_new * forces.load_new + c.load_old * forces.load_old;
   if (system.plan.gravity) rhs += system.external.weight();

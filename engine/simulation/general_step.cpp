@@ -24,6 +24,7 @@
 #include "engine/simulation/hardly_slips.h"
 #include "engine/simulation/held_blocks.h"
 #include "engine/simulation/kinematic_update.h"
+#include "engine/simulation/measured_anew.h"
 #include "engine/simulation/parts_of_stage.h"
 #include "engine/simulation/prescribed_motion.h"
 #include "engine/simulation/step_limits.h"
@@ -183,9 +184,9 @@ void GeneralStep::follow_geometry() {
   const double coming = largest_motion_within(system_, ahead);
   const double tolerance = geometry_tolerance(system_);
   if (std::max(moved_, coming) <= tolerance) return foresee_nothing(system_.supports);
-  system_.forces.kept.note(system_);
+  note_forces(system_);
   place_geometry(coming > tolerance ? coming : 0);
-  system_.forces.kept.compare(system_);
+  compare_forces(system_);
 }
 
 void GeneralStep::place_geometry(double coming) {

@@ -1,11 +1,4 @@
-// What acted at the end of the last step, where gaps have been measured anew since.
-//
-// The rows of a step belong to one moment of it. What they miss where blocks turn, a way of second order in the turn,
-// is put right at the start of the next step, and with it forces jump by the stiffness times that way, which nothing
-// has balanced. A balance with a share alpha_f of the forces at the start has to have them as the last step ended with
-// them: with the jump in, those at its end would be off by -alpha_f of it, and who reads them, or judges friction and
-// strength by them, would see much of the jump where joints and supports are stiff, and nothing of it in the motion.
-// Contacts of vertices foresee what their rows miss (engine/contact/foreseen_gap.h).
+// What acted at the end of the last step, where gaps have been measured anew since (measured_anew.h).
 #pragma once
 
 #include <Eigen/Core>
@@ -16,33 +9,32 @@
 
 namespace dda {
 
-struct BlockSystem;
-
-class KeptForces {
- public:
-  // To be called before gaps are measured anew: remembers what acts, if it is the first time in this step.
-  void note(const BlockSystem& system);
-  // To be called when they have been: by how much that has changed the forces on the blocks.
-  void compare(const BlockSystem& system);
-  // The step is over.
-  void forget();
-
-  // Forces on the blocks' unknowns, 6 a block, which acted at the start by so much less than is measured; empty where
-  // there never were any.
-  [[nodiscard]] const Eigen::VectorXd& jump() const { return jump_; }
-
- private:
+struct KeptForces {
   struct OfInterface {
     int block_a, block_b;
     Vec2 from;
     Vec4 force, gap;
   };
 
-  bool is_noted_ = false;
-  std::vector<OfInterface> interfaces_;
-  std::vector<Vec2> supports_, links_;
-  std::vector<Vec3> linings_;
-  Eigen::VectorXd jump_;
+  bool are_noted = false;  // in the step under way
+  std::vector<OfInterface> interfaces;
+  std::vector<Vec2> supports, links;
+  std::vector<Vec3> linings;
+
+  // Forces on the blocks' unknowns, 6 a block, which acted at the start by so much less than is measured; empty where
+  // there never were any.
+  Eigen::VectorXd jump;
+
+  // The step is over. Memory is kept for the next one.
+  void forget() {
+    if (!are_noted) return;
+    are_noted = false;
+    interfaces.clear();
+    supports.clear();
+    links.clear();
+    linings.clear();
+    jump.setZero();
+  }
 };
 
 }  // namespace dda

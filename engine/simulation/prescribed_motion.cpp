@@ -116,7 +116,7 @@ void audit_held_blocks(BlockSystem& system) {
   for (std::size_t i = 0; i < std::min(forces.measured.size(), held.increments.size()); ++i)
     by_measuring += held.increments[i].dot(forces.measured[i]);
   forces.measured.clear();
-  const double by_jump = forces.kept.jump().size() > 0 ? held.work(forces.kept.jump()) : 0;
+  const double by_jump = forces.kept.jump.size() > 0 ? held.work(forces.kept.jump) : 0;
   system.audit.held_blocks_moved(system.coefficients, at_start, at_end, by_measuring, by_jump);
 }
 

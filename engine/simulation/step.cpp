@@ -29,7 +29,7 @@ double finish_step(double inertia_work, const StoredEnergy& stored, BlockSystem&
   BlockForces& forces = system.forces;
   system.audit.record(system.coefficients, inertia_work, stored,
                       {forces.load_old, forces.load_new, system.external.weight(), forces.internal_old,
-                       forces.internal_new, forces.kept.jump()},
+                       forces.internal_new, forces.kept.jump},
                       system.increment);
   audit_held_blocks(system);
   forces.kept.forget();

@@ -13,6 +13,7 @@
 #include "engine/core/parallel_sort.h"
 #include "engine/core/where.h"
 #include "engine/cutting/needless_prolongations.h"
+#include "engine/cutting/passed_nodes.h"
 #include "engine/cutting/quadrants.h"
 #include "engine/geometry/box_pairs.h"
 #include "engine/geometry/segment.h"
@@ -55,7 +56,6 @@ class Welder {
         is_drawn_(drawn_nodes(noding.pixels, pieces)),
         bounds_(noding.pixels.size(), {none, none}),
         links_at_(noding.pixels.size(), 0),
-        is_tip_(noding.pixels.size(), false),
         is_moved_(noding.pixels.size(), false),
         is_dropped_(needless_prolongations(noding, pieces)) {
     std::iota(into_.begin(), into_.end(), 0);
@@ -147,42 +147,18 @@ class Welder {
     }
   }
 
-  // Lists by node up to three others that links lead to.
-  [[nodiscard]] std::vector<std::array<int, 3>> neighbours() const {
-    std::vector<std::array<int, 3>> found(into_.size(), {none, none, none});
-    const auto add = [&](int node, int other) {
-      auto& others = found[at(node)];
-      const auto place =
-          std::find_if(others.begin(), others.end(), [&](int each) { return each == none || each == other; });
-      if (place != others.end()) *place = other;
-    };
-    for (std::size_t i = 0; i < noding_.links.size(); ++i) {
-      if (is_dropped_[i]) continue;
-      add(noding_.links[i].from, noding_.links[i].to);
-      add(noding_.links[i].to, noding_.links[i].from);
-    }
-    return found;
-  }
-
-  // No line starts, ends or turns at nodes that were not drawn. One that links only pass, as where lines along each
-  // other cross by round-off, is taken away; to one where links end, as prolongations do, nothing is joined.
+  // A node that lines only pass, as where lines along each other cross by round-off, is taken away; to one where links
+  // end, as prolongations do, nothing is joined.
   bool take_away_passed() {
-    const auto near = neighbours();
     const auto goal = [&](int node) {
-      while (node != none && into_[at(node)] != node) node = into_[at(node)];
+      while (into_[at(node)] != node) node = into_[at(node)];
       return node;
     };
-    bool any = false;
-    for (int node = 0; at(node) < into_.size(); ++node) {
-      const auto& [one, other, third] = near[at(node)];
-      if (third != none || is_drawn_[at(node)]) continue;
-      is_tip_[at(node)] = other == none;
-      if (other == none) continue;
-      into_[at(node)] = goal(one) != node ? goal(one) : goal(other);
-      any = true;
-    }
+    PassedNodes found = passed_nodes(noding_, is_dropped_, is_drawn_);
+    is_tip_ = std::move(found.is_tip);
+    for (const auto& [node, one, other] : found.passed) into_[at(node)] = goal(one) != node ? goal(one) : goal(other);
     for (int& into : into_) into = goal(into);
-    return any;
+    return !found.passed.empty();
   }
 
   [[nodiscard]] double distance_of(int a, int b) const {

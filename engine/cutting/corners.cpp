@@ -34,6 +34,49 @@ Corners::Corners(const Arrangement& arrangement, const FaceGroups& groups, const
     superfluous_[at(node)] = on_boundary(node) ? is_bound(pieces, *straight, plan) || is_in_line(node, one, other)
                                                : joint(one) == joint(other);
   }
+  keep_turns(borders);
+}
+
+// Two edges may share one straight and the next two another, where a line that ends beside one that goes on runs along
+// it for a little: a border that had no corner there would leave both of them, by as much as they part further on.
+void Corners::keep_turns(const std::vector<std::array<int, 3>>& borders) {
+  std::vector<bool> seen(at(arrangement_.edges()), false);
+  const auto is_border = [&](int edge, int node) {
+    const auto& around = borders[at(node)];
+    return std::find(around.begin(), around.end(), edge) != around.end();
+  };
+  for (int edge = 0; edge < arrangement_.edges(); ++edge) {
+    const int from = arrangement_.origin(2 * edge);
+    const int to = arrangement_.target(2 * edge);
+    if (superfluous_[at(from)] != superfluous_[at(to)]) {
+      const int first = superfluous_[at(from)] ? from : to;
+      if (is_border(edge, first)) follow(edge, first, borders, seen);
+    }
+  }
+}
+
+// Walks along a border from `edge`, which goes from a corner to `node`.
+void Corners::follow(int edge, int node, const std::vector<std::array<int, 3>>& borders, std::vector<bool>& seen) {
+  if (seen[at(edge)]) return;
+  std::vector<int> common = straights_of(edge);
+  while (superfluous_[at(node)]) {
+    const auto& [one, other, third] = borders[at(node)];
+    edge = edge == one ? other : one;
+    seen[at(edge)] = true;
+    const std::vector<int> here = straights_of(edge);
+    std::erase_if(common, [&](int each) { return std::find(here.begin(), here.end(), each) == here.end(); });
+    if (common.empty()) {
+      superfluous_[at(node)] = false;
+      common = here;
+    }
+    const int from = arrangement_.origin(2 * edge);
+    node = from == node ? arrangement_.target(2 * edge) : from;
+  }
+}
+
+std::vector<int> Corners::straights_of(int edge) const {
+  const auto straights = arrangement_.straights(edge);
+  return {straights.begin(), straights.end()};
 }
 
 // Beside openings that are left out, whose outlines may turn a little where they were led through a node.

@@ -14,7 +14,8 @@ class Corners {
  public:
   Corners(const Arrangement& arrangement, const FaceGroups& groups, const PlanPieces& pieces, const RockPlan& plan);
 
-  // Two edges of one straight meet in the node and nothing else does: no block has a corner there.
+  // Nothing but two edges meets in the node, and one straight runs along both and on to the next corners on either
+  // side: no block has a corner there.
   [[nodiscard]] bool is_superfluous(int node) const { return superfluous_[at(node)]; }
   [[nodiscard]] bool on_boundary(int node) const { return boundary_edges_[at(node)][0] >= 0; }
   // A corner of the boundary, which stays where it is.
@@ -27,6 +28,9 @@ class Corners {
   [[nodiscard]] bool is_in_line(int node, int edge_a, int edge_b) const;
   [[nodiscard]] std::optional<int> common_straight(int edge_a, int edge_b) const;
   static void note(std::array<int, 3>& edges, int edge);
+  void keep_turns(const std::vector<std::array<int, 3>>& borders);
+  void follow(int edge, int node, const std::vector<std::array<int, 3>>& borders, std::vector<bool>& seen);
+  [[nodiscard]] std::vector<int> straights_of(int edge) const;
 
   const Arrangement& arrangement_;
   std::vector<std::array<int, 3>> boundary_edges_;  // by node, the first three between rock and outside; -1: none

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <functional>
 #include <ostream>
 #include <string>
+#include <utility>
 
 #include "engine/app/fos_report.h"
 #include "engine/core/error.h"
@@ -61,13 +63,23 @@ SafetyQuestion question_of(const FosRequest& request, const Model& model) {
   return {time_of_loads(model), request.most, request.width, jobs_of(request)};
 }
 
-SafetyReport answer(const FosRequest& request, const SafetyQuestion& question, const Model& model,
-                    std::ostream& progress) {
+struct Answer {
+  SafetyReport report, kept;
+};
+
+// Says of each run what came out.
+std::function<void(const SafetyTrial&)> told(std::ostream& progress, const char* joints) {
+  return [&progress, joints](const SafetyTrial& trial) {
+    progress << fmt::format("strength over {:.4g}{}: {}\n", trial.factor, joints, trial.stands ? "stands" : "fails");
+    progress.flush();
+  };
+}
+
+Answer answer(const FosRequest& request, const SafetyQuestion& question, const Model& model, std::ostream& progress) {
   try {
-    return factor_of_safety(model, question, [&progress](const SafetyTrial& trial) {
-      progress << fmt::format("strength over {:.4g}: {}\n", trial.factor, trial.stands ? "stands" : "fails");
-      progress.flush();
-    });
+    SafetyReport report = factor_of_safety(model, question, told(progress, ""));
+    SafetyReport kept = factor_of_kept_strength(model, question, report, told(progress, ", kept as joints slide"));
+    return {std::move(report), std::move(kept)};
   } catch (const InputError& error) {  // of stages that the scene does not have
     throw InputError(request.scene.string(), "in the static stages of dda fos, " + error.field(), error.value(),
                      error.expected());
@@ -93,10 +105,10 @@ void find_factor_of_safety(const FosRequest& request, std::ostream& out, std::os
   const Model model = read_scene(request.scene);
   const SafetyQuestion question = question_of(request, model);
   const ReservedFolder folder(request.folder, {"fos.json", "fos.svg"});
-  const SafetyReport report = answer(request, question, model, progress);
-  std::string text = fos_text(report, question, model);
+  const auto [report, kept] = answer(request, question, model, progress);
+  std::string text = fos_text(report, kept, question, model);
   if (!request.folder.empty()) {
-    write_file(request.folder / "fos.json", fos_json(report, question, model));
+    write_file(request.folder / "fos.json", fos_json(report, kept, question, model));
     write_file(request.folder / "fos.svg", fos_picture(report, model));
     text += fmt::format("written: {}\n", (request.folder / "fos.json").string());
   }

@@ -177,11 +177,20 @@ struct WetWedge {
   }
 
   [[nodiscard]] double factor() const {
-    const double weight = density * standard_gravity * area_moments(Polygon{corners, {}}).area;
+    const double weight = density * standard_gravity * shape().area;
     const double uplift = water_weight * water * crack.norm() / 2, push = water_weight * water * water / 2;
     const double pressed = weight * std::cos(plane) - uplift - push * std::sin(plane);
-    return pressed * std::tan(friction) / (weight * std::sin(plane) + push * std::cos(plane));
+    return (cohesion * crack.norm() + pressed * std::tan(friction)) /
+           (weight * std::sin(plane) + push * std::cos(plane));
   }
+
+  // The weight acts in the middle third of the plane, which is then closed all along where there is no water.
+  [[nodiscard]] bool is_closed_when_dry() const {
+    const double place = shape().centroid.x() / crack.x();
+    return place > 1.0 / 3 && place < 2.0 / 3;
+  }
+
+  [[nodiscard]] AreaMoments shape() const { return area_moments(Polygon{corners, {}}); }
 
   [[nodiscard]] std::string text() const {
     json wedge = json::array();
@@ -189,23 +198,26 @@ struct WetWedge {
     const double h = height, x = crack.x();
     const json base = {{0, 0}, {0, -h}, {x + h, -h}, {x + h, h}, {x, h}, pair_of(crack)};
     const json table = {{0, 0}, {x, crack.y() + water}};
-    const json scene = {
+    json scene = {
         {"dda", 1},
         {"gravity", standard_gravity},
         {"fixed", {"base"}},
         {"materials", {{"rock", {{"density", density}, {"young", 5e9}, {"poisson", 0.25}}}}},
-        {"joints", {{"default", {{"friction_angle", friction}}}, {"crack", {{"friction_angle", 0}}}}},
+        {"joints",
+         {{"default", {{"friction_angle", friction}, {"cohesion", cohesion}}}, {"crack", {{"friction_angle", 0}}}}},
         {"joint_lines", {{{"joint", "crack"}, {"points", {pair_of(crack), {x, h}}}}}},
         {"blocks",
          {{{"polygon", {{"name", "wedge"}, {"vertices", wedge}}}},
           {{"polygon", {{"name", "base"}, {"vertices", base}}}}}},
-        {"loads", {{{"edge", "joints"}, {"pressure", {{"surface", table}, {"gradient", water_weight}}}}}},
         {"steps", {{{"integrator", "static"}}}}};
+    if (water > 0)
+      scene["loads"] = {{{"edge", "joints"}, {"pressure", {{"surface", table}, {"gradient", water_weight}}}}};
     return scene.dump();
   }
 
   static constexpr double density = 2600, water_weight = 9810;  // kg/m3, N/m3
   double plane = 0, friction = 0, height = 0, water = 0;        // rad, m; water in the crack
+  double cohesion = 0;                                          // Pa, of the plane; it goes when that slides
   Vec2 crack = Vec2::Zero();                                    // its foot
   std::vector<Vec2> corners;
 };
@@ -219,6 +231,31 @@ TEST_F(FosPopulation, IsThatOfHoekAndBrayWithWaterInTheTensionCrack) {
     ASSERT_NO_FATAL_FAILURE(expect_factor(wedge.factor(), wedge.text()));
   }
   EXPECT_GE(fit, 20);
+}
+
+// As it swells sideways under its weight the wedge pushes off the wall of the crack, so that its plane is sheared by
+// more than its weight asks for, and a brittle one goes before limit equilibrium. What that costs is told.
+TEST_F(FosPopulation, TellsTheFactorOfHoekAndBrayWhereAPlaneLosesItsCohesionBefore) {
+  int fit = 0, lost = 0;
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    WetWedge wedge(seed);
+    if (!wedge.is_closed_when_dry()) continue;
+    ++fit;
+    wedge.water = 0;
+    wedge.cohesion = SeededNumbers(seed + 1000).number(0.02, 0.5) * WetWedge::density * standard_gravity * wedge.height;
+    write("scene.json", wedge.text());
+    ASSERT_EQ(call({"fos", path("scene.json"), "--jobs", "1", "--out", path("out")}).code, 0) << wedge.text();
+    const json report = json::parse(text("out/fos.json"));
+    const bool is_lost = report["strength_kept"].is_object();
+    const json factor = is_lost ? report["strength_kept"]["factor_of_safety"] : report["factor_of_safety"];
+    ASSERT_TRUE(factor.is_number()) << report << wedge.text();
+    EXPECT_NEAR(factor.get<double>() / wedge.factor(), 1, 2 * width) << wedge.text();
+    if (!is_lost) continue;
+    ++lost;
+    EXPECT_LT(report["factor_of_safety"].get<double>(), wedge.factor() * (1 - width / 2)) << wedge.text();
+  }
+  EXPECT_GE(fit, 20);
+  EXPECT_GE(lost, 3);
 }
 
 }  // namespace

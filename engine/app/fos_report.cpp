@@ -31,7 +31,26 @@ std::string headline(const SafetyReport& report, const SafetyQuestion& question)
   return fmt::format("factor of safety below {:g} ({})", 1 / question.most, report.failure.reason);
 }
 
+// What joints lose by being brittle.
+std::string said_of_lost_strength(const SafetyReport& kept, const SafetyReport& report) {
+  if (kept.stands == 0) return "";
+  const std::string factor =
+      kept.is_bracketed() ? fmt::format("{:.4g}", kept.factor()) : fmt::format("above {:.4g}", kept.stands);
+  const double share = (kept.is_bracketed() ? kept.factor() : kept.stands) / report.factor() - 1;
+  return fmt::format(
+      "joints that keep cohesion and friction as they slide have {} ({:+.1f} %; limit equilibrium takes them so): here "
+      "they lose them before all of it acts\n  (\"residual_cohesion\" of a joint equal to its \"cohesion\" keeps it)\n",
+      factor, 100 * share);
+}
+
 Json number_or_null(double value) { return value > 0 ? Json(value) : Json(); }
+
+Json kept_json(const SafetyReport& kept) {
+  if (kept.stands == 0) return {};
+  return {{"factor_of_safety", number_or_null(kept.factor())},
+          {"stands_at", kept.stands},
+          {"fails_at", number_or_null(kept.fails)}};
+}
 
 Json trial_json(const SafetyTrial& trial) {
   return {{"factor", trial.factor},
@@ -77,7 +96,8 @@ std::vector<MovingBlock> moving_blocks(const Standing& failure, const Model& mod
   return moving;
 }
 
-std::string fos_text(const SafetyReport& report, const SafetyQuestion& question, const Model& model) {
+std::string fos_text(const SafetyReport& report, const SafetyReport& kept, const SafetyQuestion& question,
+                     const Model& model) {
   constexpr std::size_t most = 8;
   std::string text = headline(report, question) + "\n";
   const std::vector<MovingBlock> moving = moving_blocks(report.failure, model);
@@ -86,14 +106,17 @@ std::string fos_text(const SafetyReport& report, const SafetyQuestion& question,
     text += fmt::format("  {} moves towards {:.1f} deg\n", block.name, direction_deg(moving[i].movement));
   }
   if (moving.size() > most) text += fmt::format("  and {} more\n", moving.size() - most);
-  return text + said_of_unseen(unseen_by_fos(model, question.time), question.time);
+  return text + said_of_lost_strength(kept, report) +
+         said_of_unseen(unseen_by_fos(model, question.time), question.time);
 }
 
-std::string fos_json(const SafetyReport& report, const SafetyQuestion& question, const Model& model) {
+std::string fos_json(const SafetyReport& report, const SafetyReport& kept, const SafetyQuestion& question,
+                     const Model& model) {
   Json json{{"factor_of_safety", number_or_null(report.factor())},
             {"stands_at", number_or_null(report.stands)},
             {"fails_at", number_or_null(report.fails)},
             {"reason", report.failure.reason},
+            {"strength_kept", kept_json(kept)},
             {"most", question.most},
             {"time", question.time},
             {"not_seen", unseen_by_fos(model, question.time)},

@@ -28,15 +28,29 @@ class Search {
   Search(const Model& model, const SafetyQuestion& question, const std::function<void(const SafetyTrial&)>& progress)
       : model_(model), question_(question), progress_(progress) {}
 
-  SafetyReport find() {
-    note(1, run(1));
-    bracket();
+  // `first` is the factor that is tried first.
+  SafetyReport find(double first) {
+    try_first(first);
+    bracket(first);
+    return narrow();
+  }
+
+  // Looks no further where the rock fails at the first one.
+  SafetyReport find_above(double first) {
+    try_first(first);
+    if (report_.stands > 0) bracket(first);
+    return narrow();
+  }
+
+ private:
+  void try_first(double factor) { note(factor, run(factor)); }
+
+  SafetyReport narrow() {
     if (report_.is_bracketed())
       while (report_.fails / report_.stands > 1 + question_.width) part();
     return std::move(report_);
   }
 
- private:
   [[nodiscard]] Standing run(double factor, const std::stop_token& stop = {}) const {
     return standing_of(with_strength_over(factor, model_), question_.time, stop);
   }
@@ -53,9 +67,9 @@ class Search {
   }
 
   // Rock that does not carry its loads while contacts stick stands at no strength: there is nothing to look for.
-  void bracket() {
+  void bracket(double first) {
     const double ratio = report_.stands > 0 ? 2 : 0.5;
-    double factor = ratio;
+    double factor = first * ratio;
     while (!report_.is_bracketed() && within_reach(factor) && can_stand()) {
       std::vector<double> factors;
       for (; factors.size() < jobs() && within_reach(factor); factor *= ratio) factors.push_back(factor);
@@ -106,7 +120,14 @@ double SafetyReport::factor() const { return is_bracketed() ? std::sqrt(stands *
 
 SafetyReport factor_of_safety(const Model& model, const SafetyQuestion& question,
                               const std::function<void(const SafetyTrial&)>& progress) {
-  return Search(model, question, progress).find();
+  return Search(model, question, progress).find(1);
+}
+
+SafetyReport factor_of_kept_strength(const Model& model, const SafetyQuestion& question, const SafetyReport& lost,
+                                     const std::function<void(const SafetyTrial&)>& progress) {
+  if (!lost.is_bracketed() || !loses_strength(model)) return {};
+  const Model kept = with_strength_kept(model);
+  return Search(kept, question, progress).find_above(lost.fails * (1 + question.width));
 }
 
 }  // namespace dda

@@ -44,4 +44,15 @@ struct SafetyReport {
 [[nodiscard]] SafetyReport factor_of_safety(const Model& model, const SafetyQuestion& question,
                                             const std::function<void(const SafetyTrial&)>& progress = {});
 
+// The same with joints that keep their cohesion and friction as they slide, where that is more than `lost`, the answer
+// for joints that lose them. Where the first run, at just above that, fails, or joints have nothing to lose, it stands
+// at no factor.
+//
+// Rock that loses strength fails when its first joint does, and what strains blocks can load a joint more than their
+// equilibrium asks for: by what a block pushes as it swells sideways between its plane and a wall, say. Limit
+// equilibrium knows of neither, so this is what to compare it with.
+[[nodiscard]] SafetyReport factor_of_kept_strength(const Model& model, const SafetyQuestion& question,
+                                                   const SafetyReport& lost,
+                                                   const std::function<void(const SafetyTrial&)>& progress = {});
+
 }  // namespace dda

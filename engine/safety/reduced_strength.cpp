@@ -1,5 +1,6 @@
 #include "engine/safety/reduced_strength.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -23,11 +24,36 @@ void weaken_all(double factor, std::vector<JointMaterial>& joints) {
     if (!joint.bonded) weaken(joint, factor);
 }
 
+bool is_brittle(const JointMaterial& joint) {
+  const double residual = joint.residual_friction_angle.value_or(joint.friction_angle);
+  return !joint.bonded && (joint.residual_cohesion < joint.cohesion || residual < joint.friction_angle);
+}
+
+bool has_brittle(const std::vector<JointMaterial>& joints) { return std::ranges::any_of(joints, is_brittle); }
+
+void keep_strength(std::vector<JointMaterial>& joints) {
+  for (JointMaterial& joint : joints) {
+    joint.residual_cohesion = joint.cohesion;
+    joint.residual_friction_angle.reset();
+  }
+}
+
 }  // namespace
 
 Model with_strength_over(double factor, Model model) {
   weaken_all(factor, model.joints);
   for (Stage& stage : model.stages) weaken_all(factor, stage.rock.joints);
+  return model;
+}
+
+bool loses_strength(const Model& model) {
+  return has_brittle(model.joints) ||
+         std::ranges::any_of(model.stages, [](const Stage& stage) { return has_brittle(stage.rock.joints); });
+}
+
+Model with_strength_kept(Model model) {
+  keep_strength(model.joints);
+  for (Stage& stage : model.stages) keep_strength(stage.rock.joints);
   return model;
 }
 

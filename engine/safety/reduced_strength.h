@@ -11,4 +11,11 @@ namespace dda {
 // finished anew.
 [[nodiscard]] Model with_strength_over(double factor, Model model);
 
+// Whether a joint has more cohesion or friction before it slides than afterwards.
+[[nodiscard]] bool loses_strength(const Model& model);
+
+// The model with joints that keep cohesion and friction as they slide, which is what limit equilibrium takes. To be
+// finished anew.
+[[nodiscard]] Model with_strength_kept(Model model);
+
 }  // namespace dda

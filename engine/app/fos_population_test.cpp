@@ -244,9 +244,11 @@ TEST_F(FosPopulation, TellsTheFactorOfHoekAndBrayWhereAPlaneLosesItsCohesionBefo
     wedge.water = 0;
     wedge.cohesion = SeededNumbers(seed + 1000).number(0.02, 0.5) * WetWedge::density * standard_gravity * wedge.height;
     write("scene.json", wedge.text());
-    ASSERT_EQ(call({"fos", path("scene.json"), "--jobs", "1", "--out", path("out")}).code, 0) << wedge.text();
+    const Outcome outcome = call({"fos", path("scene.json"), "--jobs", "1", "--out", path("out")});
+    ASSERT_EQ(outcome.code, 0) << outcome.errors << wedge.text();
     const json report = json::parse(text("out/fos.json"));
     const bool is_lost = report["strength_kept"].is_object();
+    EXPECT_EQ(contains(outcome.out, "joints that keep cohesion and friction as they slide have"), is_lost);
     const json factor = is_lost ? report["strength_kept"]["factor_of_safety"] : report["factor_of_safety"];
     ASSERT_TRUE(factor.is_number()) << report << wedge.text();
     EXPECT_NEAR(factor.get<double>() / wedge.factor(), 1, 2 * width) << wedge.text();

@@ -43,9 +43,16 @@ std::string peak_of(const Use& use) {
     case MotionKind::velocity: return fmt::format("peak velocity {:.6g} m/s", peak);
     case MotionKind::acceleration: break;
   }
-  const double end = recording.times().back();
+  const double end = std::max(0.0, recording.times().back() + use.recorded.start);
+  const MotionFactors left = motion_at(use.kind, use.recorded, end);
   return fmt::format("peak acceleration {:.6g} m/s2; at its end velocity {:.3g} m/s, displacement {:.3g} m", peak,
-                     use.amplitude * recording.integral(end), use.amplitude * recording.second_integral(end));
+                     use.amplitude * left.velocity, use.amplitude * left.displacement);
+}
+
+// A motion begins from rest at 0 s, and a load when the scene does.
+std::string said_of_what_comes_before(const Use& use) {
+  const double first = use.recorded.recording->times().front() + use.recorded.start;
+  return first < 0 ? fmt::format("; its first {:.6g} s, before 0 s, do not act", -first) : "";
 }
 
 }  // namespace
@@ -56,7 +63,8 @@ std::vector<std::string> describe_recordings(const Model& model) {
     const Recording& recording = *use.recorded.recording;
     std::string line =
         fmt::format("\"{}\": {} samples over {:.6g} s from {:.6g} s on, {}", recording.name(), recording.times().size(),
-                    recording.duration(), recording.times().front() + use.recorded.start, peak_of(use));
+                    recording.duration(), recording.times().front() + use.recorded.start,
+                    peak_of(use) + said_of_what_comes_before(use));
     if (std::find(lines.begin(), lines.end(), line) == lines.end()) lines.push_back(std::move(line));
   }
   return lines;

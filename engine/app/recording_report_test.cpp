@@ -1,8 +1,17 @@
 #include "engine/app/recording_report.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdint>
 #include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/geometry/cut_pieces.h"
+#include "engine/simulation/simulation.h"
 
 namespace dda {
 namespace {
@@ -20,6 +29,36 @@ Model shaken() {
   base.history = quake();
   model.held_blocks = {base, base};
   return model;
+}
+
+// A block that is moved alone.
+Model with_held(const HeldBlock& held) {
+  Model model;
+  model.materials = {{"rock", 2500, 20e9, 0.25, PlaneState::stress}};
+  model.joints = {JointMaterial{}};
+  model.blocks.resize(1);
+  model.blocks[0].shape.outer = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  model.held_blocks = {held};
+  return model;
+}
+
+State end_of_run(Model model, double duration) {
+  constexpr int steps = 50;
+  Stage stage;
+  stage.name = "shake";
+  stage.dt = duration / steps;
+  stage.duration = duration;
+  model.stages = {stage};
+  finish_model(model);
+  Simulation simulation(std::move(model));
+  while (!simulation.finished()) EXPECT_EQ(simulation.step(), Status::ok);
+  return simulation.state();
+}
+
+// The report gives sizes of amplitudes, whose direction is not told.
+std::string without_signs(std::string text) {
+  std::erase(text, '-');
+  return text;
 }
 
 TEST(RecordingReport, TellsDurationPeakAndWhatIsLeft) {
@@ -43,6 +82,28 @@ TEST(RecordingReport, OfALoadAndOfAPoint) {
   ASSERT_EQ(lines.size(), 2U);
   EXPECT_NE(lines[0].find("peak 4 times the load"), std::string::npos) << lines[0];
   EXPECT_NE(lines[1].find("peak displacement 2 m"), std::string::npos) << lines[1];
+}
+
+// What a base that a run moves is left with, by a record that has begun before the scene.
+TEST(RecordingReport, TellsWhatIsLeftOfWhatActs) {
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    SeededNumbers random(seed);
+    std::vector<double> times{0}, values{random.number(-5, 5)};
+    while (times.size() < 30) {
+      times.push_back(times.back() + random.number(0.01, 0.1));
+      values.push_back(random.number(-5, 5));
+    }
+    const double start = -random.number(0.1, 0.9) * times.back();
+    const HeldBlock base{.amplitude = {2, 0},
+                         .history = Recorded{std::make_shared<const Recording>("quake.csv", times, values), start},
+                         .kind = MotionKind::acceleration};
+    const std::string line = describe_recordings(with_held(base)).at(0);
+    const State end = end_of_run(with_held(base), times.back() + start);
+    const std::string left =
+        fmt::format("velocity {:.3g} m/s, displacement {:.3g} m; its first {:.6g} s, before 0 s, do not act",
+                    std::abs(end.velocity[0].x()), std::abs(end.displacement[0].x()), -start);
+    EXPECT_TRUE(without_signs(line).ends_with(without_signs(left))) << line << " / " << left;
+  }
 }
 
 TEST(RecordingReport, WarnsOfStepsThatPassOverSamples) {

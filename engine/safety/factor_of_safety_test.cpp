@@ -80,6 +80,22 @@ TEST(FactorOfSafety, PlaneFailureWithCohesion) {
   const SafetyReport brittle = factor_of_safety(model, {});
   ASSERT_TRUE(brittle.is_bracketed());
   EXPECT_LT(brittle.fails, 0.95 * exact);
+  EXPECT_NEAR(factor_of_kept_strength(model, {}, brittle).factor() / exact, 1, width);
+}
+
+// Joints that have nothing to lose need no second search, and where they lose nothing it ends with its first run.
+TEST(FactorOfSafety, KeptStrengthIsOfJointsThatLoseItAlone) {
+  Model model = boxes_on_slope(20 * degree, {40 * degree});
+  const auto kept_trials = [&model] {
+    const SafetyReport report = factor_of_safety(model, {});
+    const SafetyReport kept = factor_of_kept_strength(model, {}, report);
+    EXPECT_EQ(kept.stands, 0);
+    return kept.trials.size();
+  };
+  EXPECT_EQ(kept_trials(), 0U);
+  model.joints[1].law = InterfaceLaw::projected;
+  model.joints[1].cohesion = 15e3;
+  EXPECT_EQ(kept_trials(), 1U);
 }
 
 // A wedge slides on a steep plane and pushes the block before it down a flat one, by a joint that ends in the knee of

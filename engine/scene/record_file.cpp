@@ -66,6 +66,30 @@ Column column_of(std::string_view cell) {
   return {std::string(cell), ""};
 }
 
+// What of a recording comes after a moment within it.
+Recording part_after(double from, const Recording& recording) {
+  std::vector<double> times{from}, values{recording.value(from)};
+  for (std::size_t i = 0; i < recording.times().size(); ++i) {
+    if (recording.times()[i] <= from) continue;
+    times.push_back(recording.times()[i]);
+    values.push_back(recording.values()[i]);
+  }
+  return {recording.name(), std::move(times), std::move(values)};
+}
+
+// A motion begins at rest when it begins to act, whatever the recording has before, so the straight line is that of
+// what acts. It is taken off all samples, since they are joined by straight lines.
+Recording corrected_from(double from, const Recording& recording) {
+  const std::vector<double>& times = recording.times();
+  if (from <= times.front() || from >= times.back()) return recording.corrected();
+  const Recording part = part_after(from, recording), flat = part.corrected();
+  const double at_from = part.values().front() - flat.values().front();
+  const double rise = (part.values().back() - flat.values().back() - at_from) / part.duration();
+  std::vector<double> values = recording.values();
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] -= at_from + rise * (times[i] - from);
+  return {recording.name(), times, std::move(values)};
+}
+
 class RecordReader {
  public:
   RecordReader(const RecordRequest& request, const std::string& place)
@@ -77,7 +101,7 @@ class RecordReader {
     if (times_.size() < 2) fail(place_, fmt::format("of {} samples", times_.size()), "at least two");
     try {
       Recording recording(request_.file.filename().string(), std::move(times_), std::move(values_));
-      return request_.correct_baseline ? recording.corrected() : recording;
+      return request_.correct_baseline ? corrected_from(request_.acts_from, recording) : recording;
     } catch (const InputError& error) {
       fail(place_ + ", " + error.field(), error.value(), error.expected());
     }

@@ -12,6 +12,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <limits>
 #include <string>
 
 #include "engine/core/quantity.h"
@@ -32,7 +33,8 @@ struct RecordRequest {
   Dimension dimension = Dimension::dimensionless;  // of the values, where they have a unit
   double scale = 1;
   bool correct_baseline = false;
-  std::size_t most_samples = 10'000'000;  // which take 320 MB
+  double acts_from = -std::numeric_limits<double>::infinity();  // s on its clock: what comes before has no baseline
+  std::size_t most_samples = 10'000'000;                        // which take 320 MB
 };
 
 // Reads a recording, in SI where it has a unit. Throws InputError (without a file) whose field is `place` followed by

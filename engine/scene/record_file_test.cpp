@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <ostream>
@@ -10,6 +12,7 @@
 
 #include "engine/core/error.h"
 #include "engine/core/temporary_folder.h"
+#include "engine/geometry/cut_pieces.h"
 #include "engine/scene/bad_scene_test_support.h"
 
 namespace dda {
@@ -87,6 +90,31 @@ TEST(RecordFile, BaselineOnRequest) {
   const Recording record = read("t,a\n0,1\n1,3\n", {.file = {}, .correct_baseline = true});
   EXPECT_NEAR(record.integral(1), 0, 1e-15);
   EXPECT_NEAR(record.second_integral(1), 0, 1e-15);
+}
+
+// The integrals here are sums of Simpson's rule, which is exact for straight lines, from sample to sample.
+TEST(RecordFile, BaselineOfWhatActsWhereTheRestComesBefore) {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    SeededNumbers random(seed);
+    std::string text = "t,a\n";
+    const int samples = random.integer(2, 80);
+    double time = random.number(-3, -1);
+    for (int i = 0; i < samples; ++i, time += random.number(0.001, 0.2))
+      text += std::to_string(time) + "," + std::to_string(random.number(-5, 5)) + "\n";
+    const double last = time, from = random.number(-2, 1);
+    const Recording record = read(text, {.file = {}, .correct_baseline = true, .acts_from = from});
+    if (from >= record.times().back()) continue;
+    double velocity = 0, displacement = 0, begin = std::max(from, record.times().front());
+    for (const double end : record.times()) {
+      if (end <= begin) continue;
+      const double h = end - begin, middle = record.value((begin + end) / 2), first = record.value(begin);
+      displacement += h * velocity + h * h * (first + 2 * middle) / 6;
+      velocity += h * (first + 4 * middle + record.value(end)) / 6;
+      begin = end;
+    }
+    EXPECT_NEAR(velocity, 0, 1e-12 * (last + 3)) << "seed " << seed;
+    EXPECT_NEAR(displacement, 0, 1e-12 * (last + 3) * (last + 3)) << "seed " << seed;
+  }
 }
 
 struct Bad {

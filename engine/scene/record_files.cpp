@@ -42,18 +42,20 @@ RecordRequest read_request(const Field& field, Dimension dimension, const std::f
 }
 
 std::string key_of(const RecordRequest& request) {
-  return fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}", request.file.string(), request.time, request.value,
+  return fmt::format("{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}\n{}", request.file.string(), request.time, request.value,
                      request.time_unit, request.value_unit, static_cast<int>(request.dimension), request.scale,
-                     request.correct_baseline);
+                     request.correct_baseline, request.acts_from);
 }
 
 }  // namespace
 
 Recorded RecordFiles::read(const Field& field, Dimension dimension) {
-  const RecordRequest request = read_request(field, dimension, folder_);
+  RecordRequest request = read_request(field, dimension, folder_);
+  const double start = value_or(field, "start", 0.0, [](const Field& f) { return f.quantity(Dimension::time); });
+  if (request.correct_baseline) request.acts_from = -start;
   std::shared_ptr<const Recording>& recording = known_[key_of(request)];
   if (!recording) recording = std::make_shared<const Recording>(read_record(request, field.path() + ".file"));
-  return {recording, value_or(field, "start", 0.0, [](const Field& f) { return f.quantity(Dimension::time); })};
+  return {recording, start};
 }
 
 }  // namespace dda

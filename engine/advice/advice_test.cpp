@@ -5,12 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "engine/advice/lattice_test_support.h"
+#include "engine/geometry/cut_pieces.h"
 
 namespace dda {
 namespace {
@@ -180,6 +182,26 @@ TEST(Advice, BranchesAreNoBar) {
   EXPECT_GT(std::count(kinds.begin(), kinds.end(), "P"), 0);
   EXPECT_GT(std::count(kinds.begin(), kinds.end(), "S"), 0);
   EXPECT_EQ(kinds_of_waves(row_of_blocks(bonded(InterfaceLaw::consistent))), std::vector<std::string>{"bar"});
+}
+
+// What damps a wave lessens it, but for damping that what is moved has to press its rock on against: of that it is said
+// why it adds.
+TEST(Advice, SaysWhyDampingRaisesStress) {
+  for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    SeededNumbers random(seed);
+    const auto terms = [&random] {
+      return ErrorTerms{random.number(-0.1, 0.1), random.number(-0.1, 0.1), random.number(-0.1, 0.1),
+                        random.number(-0.5, 0.5)};
+    };
+    WaveAdvice wave;
+    wave.steady = SteadyErrors{terms(), terms()};
+    Advice advice;
+    advice.frequency = 1;
+    advice.stages.emplace_back().dt = 1e-3;
+    advice.stages.back().waves = {wave};
+    const bool raises = wave.cause() == "damping" && wave.steady->amplitude.damping > 0;
+    EXPECT_EQ(to_text(advice).find("takes more stress") != std::string::npos, raises) << to_text(advice);
+  }
 }
 
 TEST(Advice, NoWavesInStaticStages) {

@@ -114,6 +114,15 @@ void add_limits(const Advice& advice, const WaveAdvice& wave, Text& text) {
   }
 }
 
+// Damping in proportion to inertia holds on to the ground of 0 s: what is moved has to press its rock on against that,
+// and so there is more stress than in rock without damping, and not less as in a wave that fades.
+std::string cause_of(const WaveAdvice& wave) {
+  const std::string cause = wave.cause();
+  const ErrorTerms* amplitude = wave.amplitude_error();
+  if (cause != "damping" || amplitude == nullptr || amplitude->damping <= 0) return cause;
+  return "damping, which brakes against the ground of 0 s: to move rock on against it takes more stress";
+}
+
 void add_wave(const Advice& advice, const WaveAdvice& wave, Text& text) {
   text.line("");
   text.line(
@@ -123,7 +132,7 @@ void add_wave(const Advice& advice, const WaveAdvice& wave, Text& text) {
   text.line("  mesh: {}", wave.mesh);
   add_steady(advice, wave, text);
   add_history(wave, text);
-  if (const std::string cause = wave.cause(); !cause.empty()) text.line("  mostly by: {}", cause);
+  if (const std::string cause = cause_of(wave); !cause.empty()) text.line("  mostly by: {}", cause);
   add_limits(advice, wave, text);
 }
 
@@ -205,7 +214,7 @@ std::string history_in_short(const WaveAdvice& wave) {
   const std::string warning = unlike(*wave.history);
   return fmt::format("{}, after {:.4g} m: speed {}, amplitude {}, largest value {}; mostly by {}{}", which,
                      wave.history->place, percent(wave.history->speed.total()),
-                     percent(wave.history->amplitude.total()), percent(wave.history->arrival.largest), wave.cause(),
+                     percent(wave.history->amplitude.total()), percent(wave.history->arrival.largest), cause_of(wave),
                      warning.empty() ? "" : "; " + warning);
 }
 

@@ -26,6 +26,7 @@
 #include "engine/advice/lining_remarks.h"
 #include "engine/advice/magnitude_remarks.h"
 #include "engine/advice/rebound_remarks.h"
+#include "engine/advice/shaking_remarks.h"
 #include "engine/advice/spin_remarks.h"
 #include "engine/advice/springs_around_openings.h"
 #include "engine/advice/unseen_loads.h"
@@ -244,6 +245,7 @@ constexpr auto all_remarks = {remark<holding_remarks>,
                               remark<changed_rock_remarks>,
                               remark<fading_remarks>,
                               remark<spin_remarks>,
+                              remark<shaking_remarks>,
                               remark_on_lost_motion,
                               remark<remarks_on_odds>};
 

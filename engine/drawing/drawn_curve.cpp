@@ -73,6 +73,31 @@ double nearest_between(const DrawnCurve& curve, double low, double high, const V
   return (low + high) / 2;
 }
 
+double side_of(const DrawnCurve& curve, double parameter, const Vec2& start, const Vec2& along) {
+  const Vec2 way = curve.at(parameter) - start;
+  return along.x() * way.y() - along.y() * way.x();
+}
+
+// Returns the parameter between two on either side of a line at which the curve crosses it, by halving.
+double crossing_between(const DrawnCurve& curve, double low, double high, const Vec2& start, const Vec2& along) {
+  constexpr int halvings = 52;  // all digits
+  const bool is_left = side_of(curve, low, start, along) > 0;
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = (low + high) / 2;
+    ((side_of(curve, middle, start, along) > 0) == is_left ? low : high) = middle;
+  }
+  return (low + high) / 2;
+}
+
+// Whether `end` lies within `reach` of the curve around a parameter, on the side to which the curve bends there.
+bool is_beside_chord(const DrawnCurve& curve, double parameter, double step, const Vec2& end, double reach) {
+  const Vec2 place = curve.at(parameter);
+  const Vec2 inwards = curve.at(parameter - step / 2) + curve.at(parameter + step / 2) - 2 * place;
+  if (inwards.dot(end - place) <= 0) return false;
+  const double nearest = nearest_between(curve, parameter - step, parameter + step, end);
+  return squared_distance(curve, nearest, end) <= reach * reach;
+}
+
 }  // namespace
 
 DrawnCurve elliptic_arc(const Vec2& centre, const Vec2& u, const Vec2& v, double from, double to) {
@@ -106,9 +131,13 @@ std::vector<DrawnCurve> spans_of(const BSpline& spline) {
   return spans;
 }
 
-double chords_needed(const DrawnCurve& curve, double from, double to, const ChordTolerance& tolerance) {
+double allowed_beside(const DrawnCurve& curve, const ChordTolerance& tolerance) {
   const double wanted = tolerance.length > 0 ? tolerance.length : tolerance.share * curve.size;
-  const double allowed = std::min(wanted, coarsest * curve.size);
+  return std::min(wanted, coarsest * curve.size);
+}
+
+double chords_needed(const DrawnCurve& curve, double from, double to, const ChordTolerance& tolerance) {
+  const double allowed = allowed_beside(curve, tolerance);
   if (!(allowed > 0)) return 1;
   constexpr double round_off = 1e-9;
   return std::max(1.0, std::ceil((to - from) * std::sqrt(curve.bend / (8 * allowed)) - round_off));
@@ -131,6 +160,24 @@ double parameter_near(const DrawnCurve& curve, const Vec2& point, double reach) 
   const double nearest = nearest_between(curve, low, high, point);
   const auto within = [&](double parameter) { return (curve.at(parameter) - point).norm() <= reach; };
   return within(nearest) && !within(curve.from) && !within(curve.to) ? nearest : std::nan("");
+}
+
+double parameter_crossed(const DrawnCurve& curve, const Vec2& end, const Vec2& other, double reach) {
+  constexpr int samples = 64;
+  const double step = (curve.to - curve.from) / samples;
+  const Vec2 along = other - end;
+  double found = std::nan("");
+  double least = along.squaredNorm();
+  for (int i = 0; i < samples; ++i) {
+    const double low = curve.from + i * step;
+    if ((side_of(curve, low, end, along) > 0) == (side_of(curve, low + step, end, along) > 0)) continue;
+    const double crossing = crossing_between(curve, low, low + step, end, along);
+    const double way = along.dot(curve.at(crossing) - end);
+    if (way <= 0 || way >= least || !is_beside_chord(curve, crossing, step, end, reach)) continue;
+    found = crossing;
+    least = way;
+  }
+  return found;
 }
 
 }  // namespace dda

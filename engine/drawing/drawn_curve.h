@@ -41,11 +41,18 @@ struct ChordTolerance {
   double share = 0.01;  // of the size
 };
 
+// m, by how much chords may leave this curve.
+double allowed_beside(const DrawnCurve& curve, const ChordTolerance& tolerance);
+
 // The number of equal steps of the parameter from `from` to `to` that keeps chords within the tolerance. Over a step h
 // they leave the curve by bend h^2/8 at most.
 double chords_needed(const DrawnCurve& curve, double from, double to, const ChordTolerance& tolerance);
 
 // The parameter, not at an end, at which the curve comes within `reach` (m) of the point; NaN where it does not.
 double parameter_near(const DrawnCurve& curve, const Vec2& point, double reach);
+
+// The parameter at which a straight line that comes from `other` crosses the curve, where it ends at `end` soon after:
+// on the side of the chords and within `reach` (m) of the curve. NaN where it does not.
+double parameter_crossed(const DrawnCurve& curve, const Vec2& end, const Vec2& other, double reach);
 
 }  // namespace dda

@@ -23,6 +23,12 @@ struct Seat {
   Vec2 place;
 };
 
+// Where a line starts, ends or turns, or a point.
+struct Place {
+  Vec2 corner;
+  Vec2 other;  // the other end of the straight piece that ends there, for an end of a line; else the corner itself
+};
+
 Box box_of(const DrawnCurve& curve) {
   constexpr int steps = 16;
   const double step = (curve.to - curve.from) / steps;
@@ -52,28 +58,43 @@ class Straightener {
  private:
   std::vector<Box> corner_boxes(const LineDrawing& drawing) {
     std::vector<Box> boxes;
-    const auto add = [&](const Vec2& corner) {
-      places_.push_back(corner);
+    const auto add = [&](const Vec2& corner, const Vec2& other) {
+      places_.push_back({corner, other});
       boxes.push_back({corner, corner});
     };
     for (const DrawnLine& line : drawing.lines) {
-      add(line.start);
-      for (const DrawnPiece& piece : line.pieces) add(piece.end);
+      const DrawnPiece& first = line.pieces.front();
+      add(line.start, first.curve ? line.start : first.end);
+      for (std::size_t i = 0; i + 1 < line.pieces.size(); ++i) add(line.pieces[i].end, line.pieces[i].end);
+      const DrawnPiece& last = line.pieces.back();
+      const Vec2& before = line.pieces.size() > 1 ? line.pieces[line.pieces.size() - 2].end : line.start;
+      add(last.end, last.curve ? last.end : before);
     }
-    for (const DrawnPoint& point : drawing.points) add(point.at);
+    for (const DrawnPoint& point : drawing.points) add(point.at, point.at);
     return boxes;
+  }
+
+  // Where the chords of the curve get a corner for the sake of the place. A line that crosses the curve and ends
+  // between it and its chord would end inside a block, although as drawn it does not.
+  void add_seat(const DrawnCurve& curve, const Place& place, double beside, std::vector<Seat>& seats) const {
+    const double parameter = parameter_near(curve, place.corner, reach_);
+    if (!std::isnan(parameter)) return seats.push_back({parameter, place.corner});
+    if (place.corner == place.other) return;
+    const double crossed = parameter_crossed(curve, place.corner, place.other, beside);
+    if (std::isnan(crossed)) return;
+    const Vec2 crossing = curve.at(crossed);
+    const auto is_end = [&](double end) { return (curve.at(end) - crossing).norm() <= reach_; };
+    if (!is_end(curve.from) && !is_end(curve.to)) seats.push_back({crossed, crossing});
   }
 
   // In the order of parameters, each at a place of its own.
   [[nodiscard]] std::vector<Seat> seats_on(const DrawnCurve& curve) const {
     std::vector<Seat> seats;
-    const Box box = expanded(box_of(curve), reach_);
+    const double beside = allowed_beside(curve, tolerance_);
+    const Box box = expanded(box_of(curve), std::max(reach_, beside));
     if (!box.lower.allFinite() || !box.upper.allFinite()) return seats;
-    for (const int corner : corners_.overlapping(box)) {
-      const Vec2& place = places_[static_cast<std::size_t>(corner)];
-      const double parameter = parameter_near(curve, place, reach_);
-      if (!std::isnan(parameter)) seats.push_back({parameter, place});
-    }
+    for (const int corner : corners_.overlapping(box))
+      add_seat(curve, places_[static_cast<std::size_t>(corner)], beside, seats);
     std::ranges::sort(seats, {}, &Seat::parameter);
     const auto same = [this](const Seat& a, const Seat& b) { return (a.place - b.place).norm() <= reach_; };
     seats.erase(std::unique(seats.begin(), seats.end(), same), seats.end());
@@ -104,7 +125,7 @@ class Straightener {
 
   const ChordTolerance& tolerance_;
   double reach_;
-  std::vector<Vec2> places_;  // where lines start, end or turn, and points
+  std::vector<Place> places_;
   BoxIndex corners_;
   std::size_t total_ = 0;
 };

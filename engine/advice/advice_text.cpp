@@ -117,7 +117,7 @@ void add_limits(const Advice& advice, const WaveAdvice& wave, Text& text) {
 // Damping in proportion to inertia holds on to the ground of 0 s: what is moved has to press its rock on against that,
 // and so there is more stress than in rock without damping, and not less as in a wave that fades.
 std::string cause_of(const WaveAdvice& wave) {
-  const std::string cause = wave.cause();
+  std::string cause = wave.cause();
   const ErrorTerms* amplitude = wave.amplitude_error();
   if (cause != "damping" || amplitude == nullptr || amplitude->damping <= 0) return cause;
   return "damping, which brakes against the ground of 0 s: to move rock on against it takes more stress";

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engine/contact/contact_sharing.h"
+#include "engine/contact/joint_of.h"
 #include "engine/contact/projected_stretch.h"
 #include "engine/core/parallel.h"
 
@@ -11,10 +12,6 @@ namespace dda {
 namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-const JointMaterial& joint_of(const Model& model, const Interface& interface) {
-  return model.joints[at(interface.joint)];
-}
 
 class PairsOfBlocks {
  public:

@@ -14,6 +14,7 @@
 #include "engine/contact/in_situ_force.h"
 #include "engine/contact/inherited_state.h"
 #include "engine/contact/interface_frame.h"
+#include "engine/contact/joint_of.h"
 #include "engine/contact/make_element.h"
 #include "engine/contact/projected_stretch.h"
 #include "engine/contact/shared_face.h"
@@ -27,10 +28,6 @@ namespace dda {
 namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
-const JointMaterial& joint_of(const Model& model, const Interface& interface) {
-  return model.joints[at(interface.joint)];
-}
 
 bool any_ends(const std::vector<char>& ends) {
   return std::ranges::any_of(ends, [](char each) { return each != 0; });

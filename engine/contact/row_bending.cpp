@@ -10,6 +10,7 @@
 
 #include "engine/contact/block_across.h"
 #include "engine/contact/cubic_law.h"
+#include "engine/contact/joint_of.h"
 #include "engine/model/held_flags.h"
 
 namespace dda {
@@ -184,10 +185,6 @@ bool holds(const JointMaterial& joint, const InterfaceElement& element) {
 
 bool may_bend(const JointMaterial& joint, const InterfaceElement& element) {
   return element.law == InterfaceLaw::consistent && !joint.stabilisation;
-}
-
-const JointMaterial& joint_of(const Model& model, const Interface& interface) {
-  return model.joints[static_cast<std::size_t>(interface.joint)];
 }
 
 double length_to(int neighbour, const std::vector<HeldSide>& sides) {

@@ -56,9 +56,8 @@ class BorderCollector {
     });
   }
 
-  // That whose joint counts, as far as it runs along all of the part.
-  [[nodiscard]] int straight_along(std::span<const int> part) const {
-    const int counting = counting_straight(arrangement_, part.front() / 2, pieces_, plan_);
+  // The one whose joint counts, as far as it runs along all of the part.
+  [[nodiscard]] int straight_along(std::span<const int> part, int counting) const {
     if (part.size() == 1 || runs_along(counting, part)) return counting;
     const auto all = arrangement_.straights(part.front() / 2);
     const auto along = std::find_if(all.begin(), all.end(), [&](int each) { return runs_along(each, part); });
@@ -66,8 +65,8 @@ class BorderCollector {
   }
 
   void add_edge(std::span<const int> part) {
-    const int straight = straight_along(part);
     const int counting = counting_straight(arrangement_, part.front() / 2, pieces_, plan_);
+    const int straight = straight_along(part, counting);
     const Straight& line = pieces_.straights[at(straight)];
     const auto way = [&](int node) { return (line.to - line.from).dot(arrangement_.position(node) - line.from); };
     int from = arrangement_.origin(part.front());

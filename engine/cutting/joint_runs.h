@@ -1,6 +1,7 @@
 // Along which lines blocks touch, from corner to corner of blocks, and which joint lies there.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "engine/cutting/corner_places.h"

@@ -15,12 +15,7 @@ namespace {
 
 constexpr double gravity = 10;  // m/s2
 
-// Strains of the block change its forces by a share of 1e-5 at most.
-Material rigid_rock() {
-  Material material = rock();
-  material.young = 1e13;
-  return material;
-}
+constexpr double rigid = 1e13;  // Pa: strains of the block change its forces by a share of 1e-5 at most
 
 // --- A block below a held roof on bolts that stand upright ---
 
@@ -50,7 +45,7 @@ Hung random_hung(Random& random, int bolts) {
 
 Model model_of(const Hung& hung, Kinematics kinematics) {
   Model model;
-  model.materials = {rigid_rock()};
+  model.materials = {rock_of(rigid)};
   const double roof = hung.anchors + hung.above;
   model.blocks = {rectangle("roof", -hung.roof, roof - 0.05, 2 * hung.roof, 1),
                   rectangle("block", -hung.width / 2, -hung.height / 2, hung.width, hung.height)};

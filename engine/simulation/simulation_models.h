@@ -34,6 +34,12 @@ inline Stage settling_stage(double equilibrium, double duration = 0) {
   return stage;
 }
 
+inline Material rock_of(double young) {
+  Material material = rock();
+  material.young = young;
+  return material;
+}
+
 // A named block, its lower left corner at (left, bottom).
 inline Block rectangle(const std::string& name, double left, double bottom, double width, double height) {
   Block block;

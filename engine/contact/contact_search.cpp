@@ -119,7 +119,8 @@ bool ContactSearch::misses_contact(int a, int b, double relative, std::span<cons
   std::vector<VertexContact> found;
   NarrowPhase(outlines_).find(a, b, {margin * relative + lift_, deepest * smaller, round_off * smaller}, found);
   return std::ranges::any_of(found, [&](const VertexContact& contact) {
-    return !std::binary_search(seen.contacts.begin(), seen.contacts.end(), contact) && closes(contact, blocks);
+    return !std::binary_search(seen.contacts.begin(), seen.contacts.end(), contact) && closes(contact, blocks) &&
+           !held_.stand_for(outlines_, contact);
   });
 }
 
@@ -168,7 +169,12 @@ void ContactSearch::find_of_pair(std::size_t k, NarrowPhase& narrow, std::vector
                                  const IsOut&... is_out) const {
   const auto [a, b] = pairs_[k];
   const double smaller = std::min(size_of(a), size_of(b));
+  const std::size_t before = found.size();
   narrow.find(a, b, {reach_of(k) + lift_, deepest * smaller, round_off * smaller}, is_out..., found);
+  if (held_.empty()) return;
+  const auto first = found.begin() + static_cast<std::ptrdiff_t>(before);
+  const auto is_held = [&](const VertexContact& contact) { return held_.stand_for(outlines_, contact); };
+  found.erase(std::remove_if(first, found.end(), is_held), found.end());
 }
 
 void ContactSearch::find_between(int a, int b, const std::function<bool(const VertexContact&)>& is_out,

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "engine/contact/block_bounds.h"
+#include "engine/contact/held_faces.h"
 #include "engine/contact/outlines.h"
 #include "engine/contact/pair_motion.h"
 #include "engine/contact/vertex_contact.h"
@@ -52,6 +53,9 @@ class ContactSearch {
     must_list_ = true;
   }
 
+  // Vertices on these faces are no contacts from now on.
+  void leave_to_stretches(HeldFaces faces) { held_ = std::move(faces); }
+
   // Contacts now, sorted by edge and vertex. `bonded` (sorted pairs) are left out.
   [[nodiscard]] std::vector<VertexContact> find(const std::vector<std::pair<int, int>>& bonded) const;
 
@@ -80,9 +84,9 @@ class ContactSearch {
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [outlines, sizes, growth, smallest_size, absent, lift, bounds, room, must_list, just_widened, pairs, wider] =
-        self;
-    archive(outlines, lift, bounds);
+    auto& [outlines, sizes, growth, smallest_size, absent, lift, bounds, room, must_list, just_widened, pairs, wider,
+           held] = self;
+    archive(outlines, lift, bounds, held);
     archive.of_blocks(room);
     archive(must_list, just_widened);
     archive.pairs_of_blocks(pairs);
@@ -118,6 +122,7 @@ class ContactSearch {
   bool just_widened_ = false;
   std::vector<std::pair<int, int>> pairs_;
   std::vector<double> wider_;  // of each pair: contacts are looked for from at least this far away, m
+  HeldFaces held_;
 };
 
 }  // namespace dda

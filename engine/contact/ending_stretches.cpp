@@ -37,8 +37,21 @@ std::vector<char> EndingStretches::find(const Model& model, const State& state, 
   std::vector<Hold> holds(stretches);
   parallel_for_each(stretches, contacts_worth_sharing,
                     [&](std::size_t i) { holds[i] = hold_of(model, state, contacts, i, dry_ones); });
-  const bool all_stay = std::ranges::all_of(holds, [](const Hold& each) { return each.firm || each.closed; });
+  const bool all_stay =
+      std::ranges::all_of(holds, [](const Hold& each) { return each.firm || each.closed || each.keeps; });
   return all_stay ? std::vector<char>(stretches, 0) : decide(contacts, holds);
+}
+
+bool EndingStretches::touch_there_alone(const Model& model, const Interface& interface) const {
+  const bool both_convex = is_convex_[at(interface.block_a)] != 0 && is_convex_[at(interface.block_b)] != 0;
+  return both_convex || dda::touch_there_alone(model, interface);
+}
+
+// Of the projected law, torn or yielding, which leaves it the strength that it had until it slides or opens as a whole.
+bool EndingStretches::keeps_strength(const Model& model, const ContactSet& contacts, std::size_t stretch) const {
+  const InterfaceState& own = contacts.states[stretch];
+  return contacts.elements.own()[stretch].law == InterfaceLaw::projected && own.broken[0] && own.broken[1] &&
+         !own.residual[0] && !is_dry(joint_of(model, contacts.interfaces[stretch]));
 }
 
 EndingStretches::Hold EndingStretches::hold_of(const Model& model, const State& state, const ContactSet& contacts,
@@ -49,9 +62,11 @@ EndingStretches::Hold EndingStretches::hold_of(const Model& model, const State& 
   Hold own;
   own.firm = interface.length > 0 && holds;
   if (own.firm || contacts.elements.own()[stretch].law != InterfaceLaw::projected) return own;
-  const bool both_convex = is_convex_[at(interface.block_a)] != 0 && is_convex_[at(interface.block_b)] != 0;
-  own.closed = (both_convex || touch_there_alone(model, interface)) && !has_parted(model, state, interface);
-  own.parted = !own.closed;
+  const bool apart = has_parted(model, state, interface);
+  const bool alone = touch_there_alone(model, interface);
+  own.closed = alone && !apart;
+  own.keeps = !alone && !apart && keeps_strength(model, contacts, stretch);
+  own.parted = !own.closed && !own.keeps;
   return own;
 }
 
@@ -67,10 +82,28 @@ std::vector<char> EndingStretches::decide(const ContactSet& contacts, const std:
   std::vector<char> ends(holds.size());
   for (std::size_t i = 0; i < ends.size(); ++i) {
     const std::pair<int, int> pair = blocks_of(contacts.interfaces[i]);
-    const bool stays = firm.has(pair) || (closed.has(pair) && !parted.has(pair));
+    const bool stays = holds[i].keeps || firm.has(pair) || (closed.has(pair) && !parted.has(pair));
     ends[i] = stays ? 0 : 1;
   }
   return ends;
+}
+
+std::vector<HeldFace> EndingStretches::held_faces(const Model& model, const ContactSet& contacts,
+                                                  std::size_t stretches) const {
+  std::vector<HeldFace> faces;
+  PairsOfBlocks firm;
+  for (std::size_t i = 0; i < stretches; ++i) {
+    const Interface& interface = contacts.interfaces[i];
+    const auto& broken = contacts.states[i].broken;
+    if (!broken[0] || !broken[1])
+      firm.add(blocks_of(interface));
+    else if (keeps_strength(model, contacts, i) && !touch_there_alone(model, interface))
+      faces.push_back(held_face(model, interface));
+  }
+  if (faces.empty()) return faces;
+  firm.sort();
+  std::erase_if(faces, [&](const HeldFace& face) { return firm.has(face.pair()); });
+  return faces;
 }
 
 }  // namespace dda

@@ -234,7 +234,7 @@ void MovingContacts::drop_stretches(const std::vector<char>& ends, ContactSet& c
 
 void MovingContacts::refresh(const Model& model, const State& state, const State& acting, ContactSet& contacts) {
   const std::vector<Carrier> joints = follow_stretches(model, state, acting, contacts);
-  of_stretches_ = pairs_of_stretches(contacts);
+  look_beside(model, contacts);
   std::vector<VertexContact> found = search_.find(of_stretches_);
   covered_ = take_out_covered(search_, joints, uncovered_, known_, found);
   forget_corners_apart(found);
@@ -247,13 +247,17 @@ void MovingContacts::refresh(const Model& model, const State& state, const State
   if (!contacts.outline_compliance.empty()) take_off_blocks(model, contacts);
 }
 
-// The pairs of blocks that stretches hold, between which nothing else is looked for; smaller first, sorted.
-std::vector<std::pair<int, int>> MovingContacts::pairs_of_stretches(const ContactSet& contacts) const {
-  std::vector<std::pair<int, int>> pairs;
-  pairs.reserve(stretches_);
-  for (std::size_t i = 0; i < stretches_; ++i) pairs.push_back(blocks_of(contacts.interfaces[i]));
-  std::sort(pairs.begin(), pairs.end());
-  return pairs;
+// Between the blocks of a stretch nothing else is looked for, but for those that touch elsewhere as well.
+void MovingContacts::look_beside(const Model& model, const ContactSet& contacts) {
+  of_stretches_.clear();
+  for (std::size_t i = 0; i < stretches_; ++i) of_stretches_.push_back(blocks_of(contacts.interfaces[i]));
+  std::sort(of_stretches_.begin(), of_stretches_.end());
+  std::vector<HeldFace> faces = ending_.held_faces(model, contacts, stretches_);
+  for (const HeldFace& face : faces) {
+    const auto [first, last] = std::equal_range(of_stretches_.begin(), of_stretches_.end(), face.pair());
+    of_stretches_.erase(first, last);
+  }
+  search_.leave_to_stretches(HeldFaces(std::move(faces)));
 }
 
 // Brings the stretches to the current geometry; returns where their ends carry blocks.

@@ -1,6 +1,7 @@
 // Keeps a ContactSet in step with blocks that move: dry contacts are vertex-edge contacts found anew as geometry
 // changes, with their history; joints with strength stay the stretches they were found as until both ends of all
-// between their two blocks are broken, and those of the projected law until their blocks have parted.
+// between their two blocks are broken, and those of the projected law until their blocks have parted. Such as keep a
+// strength stay beside vertex contacts of the same blocks (held_faces.h).
 #pragma once
 
 #include <cstddef>
@@ -94,7 +95,7 @@ class MovingContacts {
 
   void refresh(const Model& model, const State& state, const State& acting, ContactSet& contacts);
   void begin_anew(const Model& model, const std::vector<bool>& comes_in, ContactSet& contacts) const;
-  [[nodiscard]] std::vector<std::pair<int, int>> pairs_of_stretches(const ContactSet& contacts) const;
+  void look_beside(const Model& model, const ContactSet& contacts);
   std::vector<Carrier> follow_stretches(const Model& model, const State& state, const State& acting,
                                         ContactSet& contacts) const;
   [[nodiscard]] FoundContacts with_shares(const Model& model, std::vector<VertexContact> found) const;
@@ -119,7 +120,7 @@ class MovingContacts {
   std::vector<Vec2> stiffness_before_;             // of their springs at the search before, normal and shear
   std::vector<InterfaceState> states_before_;      // theirs at the search before
   std::vector<VertexContact> covered_;             // what the last search has taken out
-  std::vector<std::pair<int, int>> of_stretches_;  // the last search's: pairs_of_stretches
+  std::vector<std::pair<int, int>> of_stretches_;  // the last search's, between which it looked for nothing else
   std::vector<std::pair<int, int>> uncovered_;  // blocks whose corners are contacts all the same; smaller first, sorted
 };
 

@@ -30,6 +30,7 @@ class Lot {
 struct BlockOnAPlane {
   double slope = 0, length = 1, height = 1;  // rad, m: of the plane, of the block along it and out of it
   double density = 2500;                     // kg/m3
+  double behind = 0;                         // m, from its upper end to a wall of the plane; none where 0
   JointMaterial joint;
 
   [[nodiscard]] double weight() const { return density * gravity * length * height; }
@@ -69,6 +70,14 @@ Model model_of(const BlockOnAPlane& block, Lot& lot) {
   model.joints = {block.joint};
   model.blocks.resize(2);
   model.blocks[0].shape.outer = box(-2 * l, -2 * l, 3 * l, 0);
+  if (block.behind > 0) {
+    const double wall = side > 0 ? -block.behind : l + block.behind;
+    Ring& plane = model.blocks[0].shape.outer;
+    if (side > 0)
+      plane = {plane[0], plane[1], plane[2], turn * Vec2(wall, 0), turn * Vec2(wall, h), turn * Vec2(-2 * l, h)};
+    else
+      plane = {plane[0], plane[1], turn * Vec2(3 * l, h), turn * Vec2(wall, h), turn * Vec2(wall, 0), plane[3]};
+  }
   model.blocks[1].shape.outer = box(0, 0, l, h);
   model.held_blocks.emplace_back().block = 0;
   model.gravity = gravity * (turn * Vec2(side * std::sin(block.slope), -std::cos(block.slope)));
@@ -92,6 +101,17 @@ TEST(LimitEquilibrium, CohesionActsOnWhatIsClosedOfAFootHoweverLittleItIs) {
     const double slope = lot.between(0.2, 1.1);
     BlockOnAPlane block = drawn_block(slope, (1 - lot.between(0.02, 0.2)) / std::tan(slope), lot);
     cohere(block, lot);
+    return block;
+  });
+}
+
+// The plane rises into a wall behind the block, from which it parts: it could touch there again, but does not.
+TEST(LimitEquilibrium, CohesionOfWhatIsClosedIsKeptBeforeAWall) {
+  expect_factors_of_limit_equilibrium([](Lot& lot) {
+    const double slope = lot.between(0.2, 1.1);
+    BlockOnAPlane block = drawn_block(slope, (1 - lot.between(0.02, 0.6)) / std::tan(slope), lot);
+    cohere(block, lot);
+    block.behind = block.length * lot.power(-4, 0);
     return block;
   });
 }

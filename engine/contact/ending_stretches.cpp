@@ -47,7 +47,8 @@ bool EndingStretches::touch_there_alone(const Model& model, const Interface& int
   return both_convex || dda::touch_there_alone(model, interface);
 }
 
-// Of the projected law, torn or yielding, which leaves it the strength that it had until it slides or opens as a whole.
+// A stretch of the projected law that is torn or yields, which leaves it the strength that it had until it slides or
+// opens as a whole.
 bool EndingStretches::keeps_strength(const Model& model, const ContactSet& contacts, std::size_t stretch) const {
   const InterfaceState& own = contacts.states[stretch];
   return contacts.elements.own()[stretch].law == InterfaceLaw::projected && own.broken[0] && own.broken[1] &&

@@ -31,9 +31,11 @@ Encounter encounter_of(const Outlines& outlines, int vertex, int other) {
   return {(apart + share * way).norm(), share * way};
 }
 
-// What corners may be apart, and sides off their line, m.
+// What corners may be apart, and sides off their line, m. What strains make of that is nothing that the blocks have
+// moved against each other: a joint that sticks holds them together in the mean of its length, and not at its ends.
 double near_of(const ContactSearch& search, const VertexContact& contact) {
-  return in_line * std::min(search.size_of(contact.edge_block), search.size_of(contact.vertex_block));
+  const double of_size = in_line * std::min(search.size_of(contact.edge_block), search.size_of(contact.vertex_block));
+  return of_size + search.strain_jump_of(contact.edge_block) + search.strain_jump_of(contact.vertex_block);
 }
 
 // Length (m) along which two edges lie on each other, or nearly, when the other has gone its `way`; 0 where they do not

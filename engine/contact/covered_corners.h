@@ -39,6 +39,8 @@ struct Carrier {
   Vec2 point;      // m
   Vec2 normal;     // unit, out of a into b
   double gap = 0;  // m
+  double strain_jump =
+      0;  // m, of a joint: how far its ends slide in or out because its blocks' strains along it differ
 };
 
 // Sides are in line, and corners on each other, up to this share of the smaller block's size: a tenth of the

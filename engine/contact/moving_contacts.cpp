@@ -18,6 +18,7 @@
 #include "engine/contact/make_element.h"
 #include "engine/contact/projected_stretch.h"
 #include "engine/contact/shared_face.h"
+#include "engine/contact/strain_jumps.h"
 #include "engine/contact/succession.h"
 #include "engine/contact/tied_sides.h"
 #include "engine/core/parallel.h"
@@ -38,6 +39,15 @@ Vec4 ends_force(const InterfaceElement& element, const InterfaceState& state) {
   if (element.law != InterfaceLaw::projected) return state.force;
   const std::array<Vec2, 2> ends = pressing_ends(element, state);
   return {ends[0](0), ends[0](1), ends[1](0), ends[1](1)};
+}
+
+// By block.
+std::vector<double> largest_strain_jumps(const std::vector<Carrier>& joints, std::size_t blocks) {
+  std::vector<double> largest(blocks, 0);
+  for (const Carrier& joint : joints)
+    for (const int block : {joint.block_a, joint.block_b})
+      largest[at(block)] = std::max(largest[at(block)], joint.strain_jump);
+  return largest;
 }
 
 // Properties per area, for which a contact must know its share of the joint.
@@ -87,12 +97,16 @@ void MovingContacts::let_part(const Model& model, State& state, ContactSet& cont
   drop_stretches(ends, contacts);
 }
 
-bool MovingContacts::widen(const Model& model, const State& state, const Eigen::VectorXd& d) {
+bool MovingContacts::widen(const Model& model, const State& state, const ContactSet& contacts,
+                           const Eigen::VectorXd& d) {
   constexpr double unseen = in_line / 10;  // of the smallest block: what moves by less is seen in time by later steps
   if (search_.largest_motion(d) <= unseen * search_.smallest_size()) return false;
   const bool wider = search_.widen(model, state, d, {known_, of_stretches_});
   if (covered_.empty()) return wider;
-  const auto pressed = pressed_into_each_other(search_, covered_, model, state, d);
+  auto pressed = pressed_into_each_other(search_, covered_, model, state, d);
+  if (pressed.empty()) return wider;
+  search_.set_strain_jumps(strain_jumps_after(model, state, contacts, stretches_, d));
+  pressed = pressed_into_each_other(search_, covered_, model, state, d);
   uncovered_.insert(uncovered_.end(), pressed.begin(), pressed.end());
   std::sort(uncovered_.begin(), uncovered_.end());
   return wider || !pressed.empty();
@@ -235,6 +249,7 @@ void MovingContacts::drop_stretches(const std::vector<char>& ends, ContactSet& c
 void MovingContacts::refresh(const Model& model, const State& state, const State& acting, ContactSet& contacts) {
   const std::vector<Carrier> joints = follow_stretches(model, state, acting, contacts);
   look_beside(model, contacts);
+  search_.set_strain_jumps(largest_strain_jumps(joints, model.blocks.size()));
   std::vector<VertexContact> found = search_.find(of_stretches_);
   covered_ = take_out_covered(search_, joints, uncovered_, known_, found);
   forget_corners_apart(found);
@@ -270,8 +285,9 @@ std::vector<Carrier> MovingContacts::follow_stretches(const Model& model, const 
     const InterfaceFrame frame = current_frame(model, state, interface);
     set_geometry(model, acting_frame(model, acting, interface, elements[i].law), elements[i]);
     measure_gap(model, state, interface, elements[i], contacts.states[i]);
+    const double jump = strain_jump(frame, gapes(elements[i], contacts.states[i]));
     const auto end = [&](const Vec2& on_a, const Vec2& on_b) -> Carrier {
-      return {interface.block_a, interface.block_b, on_b, frame.normal, frame.normal.dot(on_b - on_a)};
+      return {interface.block_a, interface.block_b, on_b, frame.normal, frame.normal.dot(on_b - on_a), jump};
     };
     ends[2 * i] = end(frame.from_a, frame.from_b);
     ends[2 * i + 1] = end(frame.to_a, frame.to_b);

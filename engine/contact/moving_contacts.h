@@ -54,7 +54,7 @@ class MovingContacts {
 
   // True when increments `d` from `state` close contacts that lay further away than was looked for, or move blocks into
   // each other at corners that a third block covered: the next `follow` looks far enough and has those.
-  bool widen(const Model& model, const State& state, const Eigen::VectorXd& d);
+  bool widen(const Model& model, const State& state, const ContactSet& contacts, const Eigen::VectorXd& d);
 
   // Pairs of blocks that can touch before the next change of the list.
   [[nodiscard]] const std::vector<std::pair<int, int>>& pairs() const { return search_.pairs(); }

@@ -101,6 +101,8 @@ Status GeneralStep::advance(double dt, Taken taken) {
   given_friction_.begin_step(system_);
   if (dt != system_.coefficients.dt) set_step_size(dt);
   const bool tries = taken == Taken::if_hardly_slips, can_be_cut = taken != Taken::to_the_end;
+  message_ = can_be_cut && moving_ ? foreseen_turn_problem(system_) : "";
+  if (!message_.empty()) return Status::not_converged;
   if (system_.plan.is_static && !tries && system_.drag.ease()) base_is_current_ = false;
   const auto solve_again = [this] {
     system_.increment.setZero();  // what did not settle is no place to begin
@@ -172,7 +174,7 @@ bool GeneralStep::moves_further_than_seen() {
     return true;
   }
   if (!moving_ || !system_.plan.finite_kinematics) return false;  // contacts stay, however far blocks go
-  if (!moving_->widen(system_.model, system_.state, system_.increment)) return false;
+  if (!moving_->widen(system_.model, system_.state, system_.contacts, system_.increment)) return false;
   moved_ = std::numeric_limits<double>::infinity();  // the geometry is to be followed again, and searched
   return true;
 }

@@ -63,6 +63,27 @@ double largest_motion(const BlockTerms& terms, const Eigen::VectorXd& increments
   return largest;
 }
 
+// By what `motion_of` says of each block.
+template <typename Motion>
+std::string turn_problem(const BlockSystem& system, const Motion& motion_of) {
+  const double most = most_turn_now(system);
+  std::vector<double> room;  // stays empty where nothing turns far
+  for (std::size_t i = 0; i < system.terms.area.size(); ++i) {
+    const double turn = turn_or_strain(motion_of(i));
+    if (turn <= most) continue;
+    const double area = system.terms.area[i];
+    const double of_most = area_of_most(system.terms, system.held, room);
+    const double own_most = most_turn_of(system, area, of_most, most);
+    if (turn > own_most)
+      return fmt::format(
+          "block \"{}\" would turn or be strained by {:.2g} in a step of {:.3g} s, and first-order gaps hold to {:g}: "
+          "take a smaller dt{}",
+          system.model.blocks[i].name, turn, system.coefficients.dt, own_most,
+          area < sliver_share * of_most ? ", or leave out what is so much smaller than the others" : "");
+  }
+  return "";
+}
+
 }  // namespace
 
 double geometry_tolerance(const BlockSystem& system) {
@@ -115,22 +136,13 @@ double largest_motion_within(const BlockSystem& system, double time) {
 }
 
 std::string turn_problem(const BlockSystem& system) {
-  const double most = most_turn_now(system);
-  std::vector<double> room;  // stays empty where nothing turns far
-  for (std::size_t i = 0; i < system.terms.area.size(); ++i) {
-    const double turn = turn_or_strain(system.increment.segment<6>(static_cast<Eigen::Index>(6 * i)));
-    if (turn <= most) continue;
-    const double area = system.terms.area[i];
-    const double of_most = area_of_most(system.terms, system.held, room);
-    const double own_most = most_turn_of(system, area, of_most, most);
-    if (turn > own_most)
-      return fmt::format(
-          "block \"{}\" would turn or be strained by {:.2g} in a step of {:.3g} s, and first-order gaps hold to {:g}: "
-          "take a smaller dt{}",
-          system.model.blocks[i].name, turn, system.coefficients.dt, own_most,
-          area < sliver_share * of_most ? ", or leave out what is so much smaller than the others" : "");
-  }
-  return "";
+  return turn_problem(
+      system, [&](std::size_t i) -> Vec6 { return system.increment.segment<6>(static_cast<Eigen::Index>(6 * i)); });
+}
+
+std::string foreseen_turn_problem(const BlockSystem& system) {
+  if (system.plan.is_static) return "";  // nothing goes on there
+  return turn_problem(system, [&](std::size_t i) -> Vec6 { return system.coefficients.dt * system.state.velocity[i]; });
 }
 
 void note_unsettled(const StepSolution& solution, BlockSystem& s) {

@@ -37,6 +37,10 @@ double largest_motion_within(const BlockSystem& system, double time);
 // Which block would turn or be strained too far for first-order gaps by system.increment; empty when none.
 std::string turn_problem(const BlockSystem& system);
 
+// The same by what it would do in the step under way if it went on as it moves now. Hardly any block that spins so fast
+// is braked within the step, which need not be solved to be cut then.
+std::string foreseen_turn_problem(const BlockSystem& system);
+
 // How many passes an open-close iteration may take. A stage that paces itself tries a shorter step rather than go on:
 // what settles at all mostly does in fewer passes.
 int most_passes(const Stage& stage);

@@ -82,7 +82,7 @@ class ContactSolver {
   const StepSolution& settle_from_here();
   [[nodiscard]] Status settle();
   [[nodiscard]] Status settle_contacts();
-  [[nodiscard]] bool settle_quickly();
+  [[nodiscard]] bool settle_quickly(const Patience& most = FrictionPasses::short_patience);
   [[nodiscard]] bool settle_from_inside();
   [[nodiscard]] Status settle_with_given_capacities();
   [[nodiscard]] bool settle_with_friction();

@@ -129,8 +129,9 @@ bool FrictionPasses::has_something_to_settle(const Iterate& at) {
   return !live_.empty() || !at.bolts.empty();
 }
 
-bool FrictionPasses::find_balance(Iterate& at, double most_in_vain) {
+bool FrictionPasses::find_balance(Iterate& at, const Patience& most) {
   resize(at.increment.size());
+  const int most_passes = std::min(most.passes, at.problem->max_passes);
   bool changed = false;
   // The whole matrix is brought up to date first: what a step does depends on the state, not on earlier round-off.
   if (at.bring_matrix_up_to_date(changed) != Status::ok) return false;
@@ -142,7 +143,7 @@ bool FrictionPasses::find_balance(Iterate& at, double most_in_vain) {
   const double rough = at.problem->goes_one_way ? step_tolerance_on_one_way : step_tolerance;
   int for_more = 0;
   for (int pass = 0; !is_balanced(at) || (for_more++ < most_passes_for_more && is_asked_for_more(at)); ++pass) {
-    if (!std::isfinite(imbalance_) || pass == at.problem->max_passes || nearest_.work > most_in_vain) break;
+    if (!std::isfinite(imbalance_) || pass == most_passes || nearest_.work > most.in_vain) break;
     if (pass > 0 && prepare_pass(at, changed) != Status::ok) break;
     ++at.costs.counters.open_close_iterations;
     const double enough =

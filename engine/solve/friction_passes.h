@@ -15,6 +15,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "engine/contact/contact_pieces.h"
@@ -26,6 +27,12 @@
 
 namespace dda {
 
+// How many passes a search for the balance may take.
+struct Patience {
+  double in_vain;  // such as come no nearer
+  int passes = std::numeric_limits<int>::max();
+};
+
 class FrictionPasses {
  public:
   // Lists the contacts with a broken end, which are not linear. False where everything is linear, whatever comes: one
@@ -36,11 +43,10 @@ class FrictionPasses {
   // and up to 60 in the first step, when all contacts start without force. Hardly any step settles that has not come
   // nearer to the balance with the work of ten passes over all blocks; a local pass does its part of that, and a little
   // in any case. Where there is something else to try soon (see ContactSolver) three are enough.
-  static constexpr double patience = 10, short_patience = 3;
+  static constexpr Patience patience{10}, short_patience{3};
 
-  // Moves the iterate to the balance. False where that was not found with so many passes that come no nearer; the
-  // iterate is then anywhere.
-  [[nodiscard]] bool find_balance(Iterate& at, double most_in_vain);
+  // Moves the iterate to the balance. False where that was not found with so many passes; the iterate is then anywhere.
+  [[nodiscard]] bool find_balance(Iterate& at, const Patience& most);
 
  private:
   // How friction ties the shear forces of sliding ends to their normal gaps.

@@ -28,6 +28,10 @@ constexpr int most_passes = 80;
 constexpr double short_step = 0.1;
 constexpr double shortest_step = 1e-6;
 
+// So many short steps, one after the other, come to a place where the way turns back: friction that follows the
+// pressures has no answer beside it, and none was ever reached from there.
+constexpr int most_short_steps = 5;
+
 bool has_other_answers(const InterfaceSprings& springs, const InterfaceTrial& trial) {
   const bool is_damped = trial.rule.dashpot_rate != 0 && !springs.dashpot.isZero(0);
   const bool hardens = trial.hardening[0] != 0 || trial.hardening[1] != 0;
@@ -52,15 +56,17 @@ bool InteriorPasses::begin(Iterate& at) {
   if (!(product > 0)) return false;
   measure(at);
   passes_left_ = std::min(most_passes, at.problem->max_passes);
+  short_steps_ = 0;
   return true;
 }
 
 bool InteriorPasses::approach(Iterate& at, double share_off) {
   while (off_answers(at) > share_off) {
-    if (passes_left_-- == 0) return false;
+    if (passes_left_-- == 0 || short_steps_ == most_short_steps) return false;
     ++at.costs.counters.open_close_iterations;
     const double share = find_step(at);
     if (!(share > shortest_step) || !std::isfinite(share)) return false;
+    short_steps_ = share < short_step ? short_steps_ + 1 : 0;
     move(share);
     measure(at);
   }

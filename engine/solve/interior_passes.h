@@ -78,6 +78,7 @@ class InteriorPasses {
   Eigen::VectorXd increment_, rhs_, step_, image_;
   double imbalance_ = 0;  // largest entry of what the balance leaves
   int passes_left_ = 0;
+  int short_steps_ = 0;  // one after the other, up to now
 };
 
 }  // namespace dda

@@ -1,0 +1,27 @@
+// How far the ends of stretches lie beside each other only because the blocks along them are strained unequally.
+//
+// A joint that sticks holds its blocks together in the mean of its length. Where one of them is strained along it and
+// the other is not, as beside the corner of an opening, its ends slide in and out by half of the difference, and the
+// corners of blocks across a crossing of joints come to lie in each other by as much: rock that is one piece has no
+// such steps. They are no way that blocks have moved against each other, and make no contact (covered_corners.h).
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+#include "engine/contact/contact_set.h"
+#include "engine/contact/interface_element.h"
+#include "engine/model/model.h"
+#include "engine/model/state.h"
+
+namespace dda {
+
+// Of one stretch, m: half of what its ends have gone along it against each other.
+double strain_jump(const InterfaceFrame& frame, bool gapes);
+
+// The largest of each block, m, when increments `d` (6 a block) have moved and strained the blocks of `state`.
+std::vector<double> strain_jumps_after(const Model& model, const State& state, const ContactSet& contacts,
+                                       std::size_t stretches, const Eigen::VectorXd& d);
+
+}  // namespace dda

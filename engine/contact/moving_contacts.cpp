@@ -105,7 +105,7 @@ bool MovingContacts::widen(const Model& model, const State& state, const Contact
   if (covered_.empty()) return wider;
   auto pressed = pressed_into_each_other(search_, covered_, model, state, d);
   if (pressed.empty()) return wider;
-  search_.set_strain_jumps(strain_jumps_after(model, state, contacts, stretches_, d));
+  search_.set_strain_jumps(strain_jumps_after(model, state, contacts, d));
   pressed = pressed_into_each_other(search_, covered_, model, state, d);
   uncovered_.insert(uncovered_.end(), pressed.begin(), pressed.end());
   std::sort(uncovered_.begin(), uncovered_.end());

@@ -18,10 +18,11 @@ double strain_jump(const InterfaceFrame& frame, bool gapes) {
 }
 
 std::vector<double> strain_jumps_after(const Model& model, const State& state, const ContactSet& contacts,
-                                       std::size_t stretches, const Eigen::VectorXd& d) {
+                                       const Eigen::VectorXd& d) {
   std::vector<double> largest(model.blocks.size(), 0);
-  for (std::size_t i = 0; i < stretches; ++i) {
+  for (std::size_t i = 0; i < contacts.interfaces.size(); ++i) {
     const Interface& stretch = contacts.interfaces[i];
+    if (stretch.length == 0) continue;  // one of vertices
     InterfaceFrame frame = current_frame(model, state, stretch);
     const auto move = [&](int block, const Vec2& centroid, Vec2& place) {
       place += displacement_of(d.segment<6>(6 * block), place - centroid);

@@ -7,7 +7,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cstddef>
 #include <vector>
 
 #include "engine/contact/contact_set.h"
@@ -22,6 +21,6 @@ double strain_jump(const InterfaceFrame& frame, bool gapes);
 
 // The largest of each block, m, when increments `d` (6 a block) have moved and strained the blocks of `state`.
 std::vector<double> strain_jumps_after(const Model& model, const State& state, const ContactSet& contacts,
-                                       std::size_t stretches, const Eigen::VectorXd& d);
+                                       const Eigen::VectorXd& d);
 
 }  // namespace dda

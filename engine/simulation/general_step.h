@@ -46,6 +46,9 @@ class GeneralStep : public Step {
   // Brings all to the geometry of the state, or where blocks are `coming` to move (in their sizes) within the step, to
   // what is foreseen.
   void place_geometry(double coming);
+  // Does so where blocks have moved since it last did; returns whether they had. A step is in balance in the geometry
+  // in which it was solved, and what it has moved may be out of it.
+  bool catch_up_with_blocks();
 
   // Where the blocks were when their geometry was last followed.
   [[nodiscard]] const State& acting() const { return acting_; }

@@ -11,6 +11,7 @@
 
 #include "engine/contact/closure.h"
 #include "engine/contact/no_tension_bed.h"
+#include "engine/contact/strain_jumps.h"
 #include "engine/geometry/box_pairs.h"
 #include "engine/geometry/edge_index.h"
 #include "engine/geometry/overlap.h"
@@ -111,9 +112,12 @@ std::vector<SharedGround> shared_ground(const BlockSystem& s, double least_share
   for (const CameInOver& each : s.excavated.came_in_over)
     if (each.share <= told_share) allowed[{each.block_a, each.block_b}] += each.depth;
   const auto are_held = [&](int a, int b) { return model.is_held(a) && model.is_held(b); };
+  const Eigen::VectorXd nothing_more = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(6 * model.blocks.size()));
+  const std::vector<double> by_strain = strain_jumps_after(model, s.state, s.contacts, nothing_more);
   const auto tolerance = [&](int a, int b) {
     const auto more = allowed.find({a, b});
-    return least_share * smaller_size(model, a, b) + (more == allowed.end() ? 0 : more->second);
+    return least_share * smaller_size(model, a, b) + by_strain[at(a)] + by_strain[at(b)] +
+           (more == allowed.end() ? 0 : more->second);
   };
   found = overlaps(s, are_held, tolerance);
   std::ranges::stable_sort(found, std::ranges::greater{}, &SharedGround::share);

@@ -53,8 +53,8 @@ inline constexpr double tolerated_share = 2e-3;
 inline constexpr double told_share = 0.1;
 
 // Pairs of blocks, not both held, that are deeper in each other by `least_share` of the smaller one than their contacts
-// give way, and than they were when one of them came in, the worst first. Empty in small kinematics, where blocks stay
-// where they were drawn.
+// give way, than strains make of it (strain_jumps.h), and than they were when one of them came in, the worst first.
+// Empty in small kinematics, where blocks stay where they were drawn.
 std::vector<SharedGround> shared_ground(const BlockSystem& system, double least_share = tolerated_share);
 
 // Notes how deep blocks that come in are in others, which have gone into their place meanwhile (excavated.h).

@@ -223,8 +223,9 @@ bool Simulation::is_over() {
   BlockSystem& s = *system_;
   const std::int64_t steps = is_settling() ? s.clock.parts.steps_of_part() : s.clock.step;
   const double asked = s.stage().equilibrium;
-  const bool is_balanced = s.plan.is_static && asked > 0 && !stage_step().is_provisional() &&
-                           out_of_balance() <= asked && nothing_prescribed_changes_until(s.end_of_stage(), s);
+  bool is_balanced = s.plan.is_static && asked > 0 && !stage_step().is_provisional() && out_of_balance() <= asked &&
+                     nothing_prescribed_changes_until(s.end_of_stage(), s);
+  if (is_balanced && general_->catch_up_with_blocks()) is_balanced = out_of_balance() <= asked;
   // Half of the steps are kept for the balance.
   if (is_balanced && is_settling() && steps < most_settling_steps / 2 && give_back_depths(s)) return false;
   const bool is_over = is_balanced || steps >= (is_settling() ? most_settling_steps : s.stage().steps());

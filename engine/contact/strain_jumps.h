@@ -16,7 +16,8 @@
 
 namespace dda {
 
-// Of one stretch, m: half of what its ends have gone along it against each other.
+// That of a stretch, m: half of what its ends have gone along it against each other, and of what they have across it
+// where nothing gapes. There the difference is how the rock bends; where a joint gapes its blocks have turned.
 double strain_jump(const InterfaceFrame& frame, bool gapes);
 
 // The largest of each block, m, when increments `d` (6 a block) have moved and strained the blocks of `state`.

@@ -181,14 +181,16 @@ bool GeneralStep::moves_further_than_seen() {
 
 // Forces act in the geometry that is foreseen for the moment to which the balance belongs; gaps are those of now. What
 // is foreseen may be wrong, so it counts as motion that the geometry has still to follow.
-void GeneralStep::follow_geometry() {
-  const double ahead = system_.coefficients.acts_at * system_.coefficients.dt;
-  const double coming = largest_motion_within(system_, ahead);
+bool GeneralStep::follow_geometry() {
+  const double coming = largest_motion_within(system_, system_.coefficients.acts_at * system_.coefficients.dt);
   const double tolerance = geometry_tolerance(system_);
-  if (std::max(moved_, coming) <= tolerance) return foresee_nothing(system_.supports);
+  const bool stays = std::max(moved_, coming) <= tolerance;
+  if (stays) foresee_nothing(system_.supports);
+  if (stays) return false;
   note_forces(system_);
   place_geometry(coming > tolerance ? coming : 0);
   compare_forces(system_);
+  return true;
 }
 
 void GeneralStep::place_geometry(double coming) {

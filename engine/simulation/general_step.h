@@ -46,9 +46,9 @@ class GeneralStep : public Step {
   // Brings all to the geometry of the state, or where blocks are `coming` to move (in their sizes) within the step, to
   // what is foreseen.
   void place_geometry(double coming);
-  // Does so where blocks have moved since it last did; returns whether they had. A step is in balance in the geometry
-  // in which it was solved, and what it has moved may be out of it.
-  bool catch_up_with_blocks();
+  // Does so where blocks have moved since it last did, or are about to; returns whether it did. A static step is in
+  // balance in the geometry in which it was solved, and may be out of it where it has moved blocks to.
+  bool follow_geometry();
 
   // Where the blocks were when their geometry was last followed.
   [[nodiscard]] const State& acting() const { return acting_; }
@@ -87,7 +87,6 @@ class GeneralStep : public Step {
   void pose();
   [[nodiscard]] Status solve_far_enough();
   [[nodiscard]] bool moves_further_than_seen();
-  void follow_geometry();
   [[nodiscard]] bool follow_contacts();
   void assemble_base();
   [[nodiscard]] StepProblem problem() const;

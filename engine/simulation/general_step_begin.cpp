@@ -1,4 +1,4 @@
-// How a step that follows contacts begins a stage, and ends one.
+// How a step that follows contacts begins a stage.
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -12,7 +12,6 @@
 #include "engine/simulation/general_step.h"
 #include "engine/simulation/initial_acceleration.h"
 #include "engine/simulation/kinematic_update.h"
-#include "engine/simulation/step_limits.h"
 
 namespace dda {
 namespace {
@@ -83,12 +82,6 @@ void GeneralStep::begin() {
   set_step_size(system_.stage().dt_of(system_.clock.step));
   if (feels_spin(system_.plan)) set_centrifugal_forces(system_.model, system_.state, system_.terms);
   set_initial_acceleration(changing_, is_new_stage ? harmless_at_start : 0, system_);
-}
-
-bool GeneralStep::catch_up_with_blocks() {
-  if (!system_.plan.finite_kinematics || moved_ <= geometry_tolerance(system_)) return false;
-  place_geometry(0);
-  return true;
 }
 
 }  // namespace dda

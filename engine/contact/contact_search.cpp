@@ -36,7 +36,6 @@ ContactSearch::ContactSearch(const Model& model, const State& state) : outlines_
   for (const Block& block : model.blocks) sizes_.push_back(std::sqrt(block.moments.area));
   smallest_size_ = *std::min_element(sizes_.begin(), sizes_.end());
   room_.assign(sizes_.size(), 0);
-  strain_jumps_.assign(sizes_.size(), 0);
   for (std::size_t i = 0; i < sizes_.size(); ++i) {
     const Box along = slanted_box(outlines_, static_cast<int>(i)).box;
     const double width = (along.upper - along.lower).minCoeff();

@@ -56,11 +56,6 @@ class ContactSearch {
   // Vertices on these faces are no contacts from now on.
   void leave_to_stretches(HeldFaces faces) { held_ = std::move(faces); }
 
-  // By how much ends of a block's stretches lie beside each other only because the blocks of either are strained
-  // unequally, at most; m, of every block.
-  void set_strain_jumps(std::span<const double> jumps) { strain_jumps_.assign(jumps.begin(), jumps.end()); }
-  [[nodiscard]] double strain_jump_of(int block) const { return strain_jumps_[static_cast<std::size_t>(block)]; }
-
   // Contacts now, sorted by edge and vertex. `bonded` (sorted pairs) are left out.
   [[nodiscard]] std::vector<VertexContact> find(const std::vector<std::pair<int, int>>& bonded) const;
 
@@ -90,10 +85,9 @@ class ContactSearch {
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
     auto& [outlines, sizes, growth, smallest_size, absent, lift, bounds, room, must_list, just_widened, pairs, wider,
-           held, strain_jumps] = self;
+           held] = self;
     archive(outlines, lift, bounds, held);
     archive.of_blocks(room);
-    archive.of_blocks(strain_jumps);
     archive(must_list, just_widened);
     archive.pairs_of_blocks(pairs);
     archive(wider);
@@ -129,7 +123,6 @@ class ContactSearch {
   std::vector<std::pair<int, int>> pairs_;
   std::vector<double> wider_;  // of each pair: contacts are looked for from at least this far away, m
   HeldFaces held_;
-  std::vector<double> strain_jumps_;
 };
 
 }  // namespace dda

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
 #include "engine/contact/contact_sharing.h"
@@ -31,11 +32,9 @@ Encounter encounter_of(const Outlines& outlines, int vertex, int other) {
   return {(apart + share * way).norm(), share * way};
 }
 
-// What corners may be apart, and sides off their line, m. What strains make of that is nothing that the blocks have
-// moved against each other: a joint that sticks holds them together in the mean of its length, and not at its ends.
+// What corners may be apart, and sides off their line, m, but for what strains make of it.
 double near_of(const ContactSearch& search, const VertexContact& contact) {
-  const double of_size = in_line * std::min(search.size_of(contact.edge_block), search.size_of(contact.vertex_block));
-  return of_size + search.strain_jump_of(contact.edge_block) + search.strain_jump_of(contact.vertex_block);
+  return in_line * std::min(search.size_of(contact.edge_block), search.size_of(contact.vertex_block));
 }
 
 // Length (m) along which two edges lie on each other, or nearly, when the other has gone its `way`; 0 where they do not
@@ -75,11 +74,27 @@ int shared_corner(const Outlines& outlines, const VertexContact& contact, double
   return shared;
 }
 
+// The largest jump of each block's joints, m.
+std::vector<double> largest_jumps(const std::vector<Carrier>& joints, int blocks) {
+  std::vector<double> largest(at(blocks), 0);
+  for (const Carrier& joint : joints)
+    for (const int block : {joint.block_a, joint.block_b})
+      largest[at(block)] = std::max(largest[at(block)], joint.strain_jump);
+  return largest;
+}
+
+// The corner that a contact shares if strains make as much of it as they do of anything in its blocks.
+int corner_to_ask(const ContactSearch& search, const VertexContact& contact, const std::vector<double>& jumps) {
+  const double by_strain = jumps[at(contact.edge_block)] + jumps[at(contact.vertex_block)];
+  return shared_corner(search.outlines(), contact, near_of(search, contact) + by_strain);
+}
+
 class CoveredCorners {
  public:
-  // `contacts`: how many will be added at most.
-  CoveredCorners(const ContactSearch& search, const std::vector<Carrier>& joints, std::size_t contacts)
-      : search_(search), outlines_(search.outlines()) {
+  // `contacts`: how many will be added at most. `jumps`: the largest of each block's joints.
+  CoveredCorners(const ContactSearch& search, const std::vector<Carrier>& joints, const std::vector<double>& jumps,
+                 std::size_t contacts)
+      : search_(search), outlines_(search.outlines()), jumps_(jumps) {
     carriers_.reserve(joints.size() + contacts);
     const auto coming = [&](int block) { return outlines_.coming[at(outlines_.starts[at(block)])]; };
     for (const Carrier& joint : joints) carriers_.push_back({joint, coming(joint.block_a), coming(joint.block_b)});
@@ -103,26 +118,47 @@ class CoveredCorners {
   }
 
   [[nodiscard]] bool cover(const VertexContact& contact) const {
-    const int end = shared_corner(outlines_, contact, near_of(search_, contact));
+    const int end = corner_to_ask(search_, contact, jumps_);
     return end >= 0 && cover(contact, end);
   }
 
   // `end`: the corner that the contact's vertex is at, of its edge.
   [[nodiscard]] bool cover(const VertexContact& contact, int end) const {
+    const double near = near_at(contact, end);
+    if (encounter_of(outlines_, contact.vertex, end).distance > near) return false;
     const Vec2 along = outlines_.along(contact.edge).normalized();
     const Vec2 way = end == contact.edge ? along : Vec2(-along);
     // The vertex goes along the edge, away from its end, or the end against that along the vertex' block.
-    return is_out(contact, contact.vertex_block, contact.vertex, end, way) ||
-           is_out(contact, contact.edge_block, end, contact.vertex, -way);
+    return is_out(contact, contact.vertex_block, contact.vertex, end, way, near) ||
+           is_out(contact, contact.edge_block, end, contact.vertex, -way, near);
   }
 
  private:
+  // With what strains make of it at these corners: such a way is none that the blocks have gone against each other.
+  [[nodiscard]] double near_at(const VertexContact& contact, int end) const {
+    const double near = near_of(search_, contact);
+    return near + jump_at(contact.vertex_block, contact.vertex, near) + jump_at(contact.edge_block, end, near);
+  }
+
+  // The largest jump of the block's joints that end at its corner; that of the other block may lie off by twice as
+  // much.
+  [[nodiscard]] double jump_at(int block, int corner, double near) const {
+    if (jumps_[at(block)] == 0) return 0;
+    double largest = 0;
+    std::ignore = any_of_carriers(block, [&](const MovingCarrier& carrier, int, const Vec2&) {
+      const double jump = carrier.there.strain_jump;
+      const double off = (carrier.there.point - outlines_.current[at(corner)]).norm();
+      if (jump > largest && off <= near + 2 * jump) largest = jump;
+      return false;
+    });
+    return largest;
+  }
+
   // Whether a third block that carries `block` at its corner keeps it off the cover, which leads from the other corner
   // along `way`: beneath that block's surface.
-  [[nodiscard]] bool is_out(const VertexContact& contact, int block, int corner, int other_corner,
-                            const Vec2& way) const {
+  [[nodiscard]] bool is_out(const VertexContact& contact, int block, int corner, int other_corner, const Vec2& way,
+                            double near) const {
     const int other = block == contact.vertex_block ? contact.edge_block : contact.vertex_block;
-    const double near = near_of(search_, contact);
     const Vec2& point = outlines_.current[at(corner)];
     const Vec2 from_other = point - outlines_.current[at(other_corner)];
     return any_of_carriers(block, [&](const MovingCarrier& carrier, int third, const Vec2& up) {
@@ -172,6 +208,7 @@ class CoveredCorners {
 
   const ContactSearch& search_;
   const Outlines& outlines_;
+  const std::vector<double>& jumps_;
   std::vector<MovingCarrier> carriers_;
   std::vector<std::size_t> of_blocks_;  // what carries the first block, then the second, ...
   std::vector<std::size_t> starts_;     // block -> first of its own there; the last entry but one is their number
@@ -286,16 +323,16 @@ std::vector<VertexContact> take_out_covered(const ContactSearch& search, const s
                                             const std::vector<std::pair<int, int>>& uncovered,
                                             const std::vector<VertexContact>& known,
                                             std::vector<VertexContact>& found) {
+  const std::vector<double> jumps = largest_jumps(joints, search.outlines().blocks());
   std::vector<int> ends(found.size());
-  parallel_for_each(found.size(), contacts_worth_sharing, [&](std::size_t i) {
-    ends[i] = shared_corner(search.outlines(), found[i], near_of(search, found[i]));
-  });
+  parallel_for_each(found.size(), contacts_worth_sharing,
+                    [&](std::size_t i) { ends[i] = corner_to_ask(search, found[i], jumps); });
   std::vector<std::pair<std::size_t, int>> corners;
   for (std::size_t i = 0; i < found.size(); ++i)
     if (ends[i] >= 0 && !contains(uncovered, blocks_of(found[i]))) corners.emplace_back(i, ends[i]);
   std::vector<VertexContact> taken;
   if (corners.empty()) return taken;
-  CoveredCorners covered(search, joints, found.size());
+  CoveredCorners covered(search, joints, jumps, found.size());
   const std::vector<char> out = find_covered(corners, found, covered);
   std::vector<std::pair<int, int>> others;
   for (const auto& [i, end] : corners) {
@@ -310,7 +347,8 @@ std::vector<VertexContact> take_out_covered(const ContactSearch& search, const s
 
 std::vector<std::pair<int, int>> pressed_into_each_other(const ContactSearch& search,
                                                          const std::vector<VertexContact>& covered, const Model& model,
-                                                         const State& state, const Eigen::VectorXd& d) {
+                                                         const State& state, const Eigen::VectorXd& d,
+                                                         const JumpAt& jump_at) {
   const Outlines& outlines = search.outlines();
   const auto corner_of = [&](int block, int corner) {
     return MovedCorner(outlines, block, corner, current_centroid(model, state, block), d);
@@ -319,8 +357,12 @@ std::vector<std::pair<int, int>> pressed_into_each_other(const ContactSearch& se
   for (const VertexContact& contact : covered) {
     const MovedCorner of_vertex = corner_of(contact.vertex_block, contact.vertex);
     const MovedCorner of_edge = corner_of(contact.edge_block, nearer_end(outlines, contact));
-    if (std::max(of_edge.depth_of(of_vertex.place()), of_vertex.depth_of(of_edge.place())) > near_of(search, contact))
-      pairs.push_back(blocks_of(contact));
+    const double depth = std::max(of_edge.depth_of(of_vertex.place()), of_vertex.depth_of(of_edge.place()));
+    const double near = near_of(search, contact);
+    if (depth <= near) continue;
+    const double by_strain =
+        jump_at(contact.vertex_block, of_vertex.place(), near) + jump_at(contact.edge_block, of_edge.place(), near);
+    if (depth > near + by_strain) pairs.push_back(blocks_of(contact));
   }
   sort_each_once(pairs);
   return pairs;

@@ -24,6 +24,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -54,10 +55,14 @@ std::vector<VertexContact> take_out_covered(const ContactSearch& search, const s
                                             const std::vector<std::pair<int, int>>& uncovered,
                                             const std::vector<VertexContact>& known, std::vector<VertexContact>& found);
 
+// What strains have to do with where the corner of a block lies after a step, m; see strain_jump_at.
+using JumpAt = std::function<double(int block, const Vec2& place, double near)>;
+
 // The pairs (smaller first, sorted) whose corners, covered at the start of a step, are deeper in each other than
-// `in_line` says after increments `d` (6 a block) of `state`, the one of the last search.
+// `in_line` says, and strains, after increments `d` (6 a block) of `state`, the one of the last search.
 std::vector<std::pair<int, int>> pressed_into_each_other(const ContactSearch& search,
                                                          const std::vector<VertexContact>& covered, const Model& model,
-                                                         const State& state, const Eigen::VectorXd& d);
+                                                         const State& state, const Eigen::VectorXd& d,
+                                                         const JumpAt& jump_at);
 
 }  // namespace dda

@@ -41,15 +41,6 @@ Vec4 ends_force(const InterfaceElement& element, const InterfaceState& state) {
   return {ends[0](0), ends[0](1), ends[1](0), ends[1](1)};
 }
 
-// By block.
-std::vector<double> largest_strain_jumps(const std::vector<Carrier>& joints, std::size_t blocks) {
-  std::vector<double> largest(blocks, 0);
-  for (const Carrier& joint : joints)
-    for (const int block : {joint.block_a, joint.block_b})
-      largest[at(block)] = std::max(largest[at(block)], joint.strain_jump);
-  return largest;
-}
-
 // Properties per area, for which a contact must know its share of the joint.
 bool depends_on_length(const JointMaterial& joint) {
   return joint.residual_cohesion > 0 || springs_go_by_length(joint);
@@ -103,10 +94,10 @@ bool MovingContacts::widen(const Model& model, const State& state, const Contact
   if (search_.largest_motion(d) <= unseen * search_.smallest_size()) return false;
   const bool wider = search_.widen(model, state, d, {known_, of_stretches_});
   if (covered_.empty()) return wider;
-  auto pressed = pressed_into_each_other(search_, covered_, model, state, d);
-  if (pressed.empty()) return wider;
-  search_.set_strain_jumps(strain_jumps_after(model, state, contacts, d));
-  pressed = pressed_into_each_other(search_, covered_, model, state, d);
+  const auto jump_at = [&](int block, const Vec2& place, double near) {
+    return strain_jump_at(block, place, near, model, state, contacts, d);
+  };
+  const auto pressed = pressed_into_each_other(search_, covered_, model, state, d, jump_at);
   uncovered_.insert(uncovered_.end(), pressed.begin(), pressed.end());
   std::sort(uncovered_.begin(), uncovered_.end());
   return wider || !pressed.empty();
@@ -249,7 +240,6 @@ void MovingContacts::drop_stretches(const std::vector<char>& ends, ContactSet& c
 void MovingContacts::refresh(const Model& model, const State& state, const State& acting, ContactSet& contacts) {
   const std::vector<Carrier> joints = follow_stretches(model, state, acting, contacts);
   look_beside(model, contacts);
-  search_.set_strain_jumps(largest_strain_jumps(joints, model.blocks.size()));
   std::vector<VertexContact> found = search_.find(of_stretches_);
   covered_ = take_out_covered(search_, joints, uncovered_, known_, found);
   forget_corners_apart(found);

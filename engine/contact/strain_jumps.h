@@ -20,8 +20,9 @@ namespace dda {
 // where nothing gapes. There the difference is how the rock bends; where a joint gapes its blocks have turned.
 double strain_jump(const InterfaceFrame& frame, bool gapes);
 
-// The largest of each block, m, when increments `d` (6 a block) have moved and strained the blocks of `state`.
-std::vector<double> strain_jumps_after(const Model& model, const State& state, const ContactSet& contacts,
-                                       const Eigen::VectorXd& d);
+// The largest jump of a block's stretches that end beside `place`, by no more than the jump and `near` (m), when
+// increments `d` (6 a block) have moved and strained the blocks of `state`; 0 where none does. Asks all contacts.
+double strain_jump_at(int block, const Vec2& place, double near, const Model& model, const State& state,
+                      const ContactSet& contacts, const Eigen::VectorXd& d);
 
 }  // namespace dda

@@ -102,6 +102,15 @@ std::vector<SharedGround> overlaps(const BlockSystem& s, const IsLeftOut& is_lef
   return found;
 }
 
+// What strains make of it (strain_jumps.h), m.
+double depth_by_strain(const BlockSystem& s, const SharedGround& shared, double near) {
+  const Eigen::VectorXd nothing_more = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(6 * s.model.blocks.size()));
+  double by_strain = 0;
+  for (const int block : {shared.block_a, shared.block_b})
+    by_strain += strain_jump_at(block, shared.place, near, s.model, s.state, s.contacts, nothing_more);
+  return by_strain;
+}
+
 }  // namespace
 
 std::vector<SharedGround> shared_ground(const BlockSystem& s, double least_share) {
@@ -112,14 +121,15 @@ std::vector<SharedGround> shared_ground(const BlockSystem& s, double least_share
   for (const CameInOver& each : s.excavated.came_in_over)
     if (each.share <= told_share) allowed[{each.block_a, each.block_b}] += each.depth;
   const auto are_held = [&](int a, int b) { return model.is_held(a) && model.is_held(b); };
-  const Eigen::VectorXd nothing_more = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(6 * model.blocks.size()));
-  const std::vector<double> by_strain = strain_jumps_after(model, s.state, s.contacts, nothing_more);
   const auto tolerance = [&](int a, int b) {
     const auto more = allowed.find({a, b});
-    return least_share * smaller_size(model, a, b) + by_strain[at(a)] + by_strain[at(b)] +
-           (more == allowed.end() ? 0 : more->second);
+    return least_share * smaller_size(model, a, b) + (more == allowed.end() ? 0 : more->second);
   };
   found = overlaps(s, are_held, tolerance);
+  std::erase_if(found, [&](const SharedGround& each) {
+    const double least = tolerance(each.block_a, each.block_b);
+    return each.depth <= least + depth_by_strain(s, each, least);
+  });
   std::ranges::stable_sort(found, std::ranges::greater{}, &SharedGround::share);
   return found;
 }

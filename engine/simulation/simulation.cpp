@@ -27,6 +27,7 @@
 #include "engine/simulation/stability_limit.h"
 #include "engine/simulation/stage_end.h"
 #include "engine/simulation/step_coefficients.h"
+#include "engine/simulation/step_limits.h"
 #include "engine/simulation/system_matrix.h"
 
 namespace dda {
@@ -225,7 +226,8 @@ bool Simulation::is_over() {
   const double asked = s.stage().equilibrium;
   bool is_balanced = s.plan.is_static && asked > 0 && !stage_step().is_provisional() && out_of_balance() <= asked &&
                      nothing_prescribed_changes_until(s.end_of_stage(), s);
-  if (is_balanced && s.plan.finite_kinematics && general_->follow_geometry()) is_balanced = out_of_balance() <= asked;
+  if (is_balanced && goes_far_for_its_geometry(s) && general_->follow_geometry())
+    is_balanced = out_of_balance() <= asked;
   // Half of the steps are kept for the balance.
   if (is_balanced && is_settling() && steps < most_settling_steps / 2 && give_back_depths(s)) return false;
   const bool is_over = is_balanced || steps >= (is_settling() ? most_settling_steps : s.stage().steps());

@@ -95,6 +95,11 @@ double geometry_tolerance(const BlockSystem& system) {
   return is_restless ? std::min(of_balance * stage.equilibrium, most) : most;
 }
 
+bool goes_far_for_its_geometry(const BlockSystem& system) {
+  constexpr double far = 1e-5;
+  return system.plan.finite_kinematics && largest_motion(system) > far;
+}
+
 bool is_shortest_part(const BlockSystem& system) {
   const Stage& stage = system.stage();
   return system.coefficients.dt <= std::ldexp(stage.dt_of(system.clock.step), -stage.limits.step_reductions);

@@ -18,6 +18,10 @@ inline constexpr double most_turn = 0.01;
 // another, would else go to and fro by as much for ever. (Walls and rock that settle come to rest before that.)
 double geometry_tolerance(const BlockSystem& system);
 
+// Whether the step that was accepted has moved blocks so far that what it left in balance where they lay is not where
+// they lie, by more than a hundred-thousandth of what they moved.
+bool goes_far_for_its_geometry(const BlockSystem& system);
+
 // Whether the step under way is a part that is not cut further.
 bool is_shortest_part(const BlockSystem& system);
 

@@ -148,10 +148,11 @@ TEST(CoveredCorners, AreUncoveredByAStepThatPressesThemIntoEachOther) {
   const auto covered = take_out_covered(search, {}, {}, {}, found);
   ASSERT_EQ(covered.size() + found.size(), all);
   ASSERT_FALSE(covered.empty());
+  const auto unstrained = [](int, const Vec2&, double) { return 0.0; };
   const auto pressed = [&](const Vec2& of_upper_left) {
     Eigen::VectorXd d = Eigen::VectorXd::Zero(24);
     d.head<2>() = of_upper_left;
-    return pressed_into_each_other(search, covered, model, initial_state(model), d);
+    return pressed_into_each_other(search, covered, model, initial_state(model), d, unstrained);
   };
   EXPECT_TRUE(pressed({0.9e-3, -0.9e-3}).empty());
   EXPECT_TRUE(pressed({0.1, 0.1}).empty()) << "along its neighbour below";

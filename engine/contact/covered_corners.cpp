@@ -122,22 +122,24 @@ class CoveredCorners {
     return end >= 0 && cover(contact, end);
   }
 
-  // `end`: the corner that the contact's vertex is at, of its edge.
+  // `end`: the corner that the contact's vertex is at, of its edge. Corners may be further from each other by what
+  // strains make of it, which is no way that blocks have gone against each other.
   [[nodiscard]] bool cover(const VertexContact& contact, int end) const {
-    const double near = near_at(contact, end);
+    const double near = near_of(search_, contact);
+    if (cover(contact, end, near)) return true;
+    const double by_strain =
+        jump_at(contact.vertex_block, contact.vertex, near) + jump_at(contact.edge_block, end, near);
+    return by_strain > 0 && cover(contact, end, near + by_strain);
+  }
+
+ private:
+  [[nodiscard]] bool cover(const VertexContact& contact, int end, double near) const {
     if (encounter_of(outlines_, contact.vertex, end).distance > near) return false;
     const Vec2 along = outlines_.along(contact.edge).normalized();
     const Vec2 way = end == contact.edge ? along : Vec2(-along);
     // The vertex goes along the edge, away from its end, or the end against that along the vertex' block.
     return is_out(contact, contact.vertex_block, contact.vertex, end, way, near) ||
            is_out(contact, contact.edge_block, end, contact.vertex, -way, near);
-  }
-
- private:
-  // With what strains make of it at these corners: such a way is none that the blocks have gone against each other.
-  [[nodiscard]] double near_at(const VertexContact& contact, int end) const {
-    const double near = near_of(search_, contact);
-    return near + jump_at(contact.vertex_block, contact.vertex, near) + jump_at(contact.edge_block, end, near);
   }
 
   // The largest jump of the block's joints that end at its corner; that of the other block may lie off by twice as

@@ -28,8 +28,9 @@ constexpr int most_passes = 80;
 constexpr double short_step = 0.1;
 constexpr double shortest_step = 1e-6;
 
-// So many short steps, one after the other, come to a place where the way turns back: friction that follows the
-// pressures has no answer beside it, and none was ever reached from there.
+// So many short steps, one after the other, come to a place where the way turns back, as friction that follows the
+// pressures has no answer beside it. (28 of 112 ways in a slope of 545 blocks that slides came to one. They went on for
+// up to 50 passes, and none arrived.)
 constexpr int most_short_steps = 5;
 
 bool has_other_answers(const InterfaceSprings& springs, const InterfaceTrial& trial) {

@@ -1,4 +1,5 @@
 #include "engine/advice/joint_remarks.h"
+#include "engine/contact/make_contacts.h"
 #include "engine/model/moving_stages.h"
 
 #include <fmt/format.h>
@@ -63,9 +64,8 @@ struct Joints {
   std::set<std::size_t> all, with_springs;
 };
 
-Joints joints_in_use(const Model& model, const ContactSet& contacts) {
+void add_joints_in_use(const Model& model, const ContactSet& contacts, Joints& found) {
   const bool moves = has_finite_kinematics(model);
-  Joints found;
   for (std::size_t i = 0; i < contacts.interfaces.size(); ++i) {
     const auto joint = static_cast<std::size_t>(contacts.interfaces[i].joint);
     const InterfaceLaw law = contacts.elements.but_for_blocks(i).law;
@@ -73,6 +73,13 @@ Joints joints_in_use(const Model& model, const ContactSet& contacts) {
     found.all.insert(joint);
     if (has_springs || (moves && is_dry(model.joints[joint]))) found.with_springs.insert(joint);
   }
+}
+
+// Those of blocks that are added later as well, as they are drawn.
+Joints joints_in_use(const Model& model, const ContactSet& contacts) {
+  Joints found;
+  add_joints_in_use(model, contacts, found);
+  if (model.adds_blocks()) add_joints_in_use(model, make_contacts(model), found);
   return found;
 }
 

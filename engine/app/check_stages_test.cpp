@@ -39,6 +39,30 @@ std::string row(const std::string& acts, const std::string& stages) {
          stages + R"("duration": "5 ms"}]})";
 }
 
+// Which law the joints have that come in with blocks, and the remark on springs that lock.
+TEST_F(CommandLine, ListsTheJointsOfBlocksThatAStageAdds) {
+  std::string joints = R"("default": {"friction_angle": "30 deg"})";
+  const auto report = [&] {
+    write("scene.json", R"({"dda": 1, "materials": {"rock": {"density": 2600, "young": "20 GPa", "poisson": 0.2}},
+      "joints": {)" + joints +
+                            R"(},
+      "blocks": [{"polygon": {"name": "a", "vertices": [[0, 0], [2, 0], [2, 1], [0, 1]]}},
+                 {"grid": {"name": "b", "columns": 2, "rows": 2, "block_width": 1, "block_height": 1, "origin": [0, 1]}}],
+      "fixed": ["a"],
+      "steps": [{"name": "one", "integrator": "static"}, {"name": "two", "integrator": "static", "add": ["b"]}]})");
+    const Outcome outcome = call({"check", path("scene.json")});
+    EXPECT_EQ(outcome.code, 0) << outcome.errors;
+    return outcome.out;
+  };
+  std::string out = report();
+  EXPECT_TRUE(contains(out, "adds 4 blocks with joints: 6 projected of \"default\"")) << out;
+  EXPECT_FALSE(contains(out, "lock blocks")) << out;
+  joints = R"("default": {"friction_angle": "30 deg", "law": "classical"})";
+  out = report();
+  EXPECT_TRUE(contains(out, "adds 4 blocks with joints: 6 classical of \"default\"")) << out;
+  EXPECT_TRUE(contains(out, "lock blocks")) << out;
+}
+
 TEST_F(CommandLine, RemarksOnSupportsThatMoveAPointInTwoWays) {
   const auto says_so = [&](const std::string& supports, const char* place = "") {
     write("scene.json", row("\"supports\": [" + supports + "]", ""));

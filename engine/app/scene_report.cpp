@@ -17,6 +17,7 @@
 #include "engine/advice/ramp_of_removal.h"
 #include "engine/advice/remarks.h"
 #include "engine/advice/ringing_weight.h"
+#include "engine/app/joints_that_come.h"
 #include "engine/app/measurement_report.h"
 #include "engine/app/recording_report.h"
 #include "engine/app/stiffness_report.h"
@@ -270,7 +271,11 @@ void add_stage(const Simulation& simulation, std::size_t index, const BlockMatri
   if (taken_out > 0) text.plain(fmt::format("  takes out {}", count(static_cast<std::size_t>(taken_out), "bolt")));
   for (const Lining& lining : model.linings)
     if (lining.withdrawal.is_at_start_of(index)) text.plain(fmt::format("  takes out \"{}\"", lining.name));
-  if (!stage.rock.added.empty()) text.plain(fmt::format("  adds {}", count(stage.rock.added.size(), "block")));
+  if (!stage.rock.added.empty()) {
+    const std::string joints = joints_that_come(model, index);
+    const std::string added = count(stage.rock.added.size(), "block");
+    text.plain(fmt::format("  adds {}{}{}", added, joints.empty() ? "" : " ", joints));
+  }
   for (const std::string& line : plan.describe()) text.plain("  " + line);
   if (const double limit = simulation.stability_limit(index); limit > 0)
     text.plain(fmt::format("  stable: up to dt = {:.6g} s, of which this is {:.3g} %", limit, 100 * stage.dt / limit));

@@ -58,7 +58,7 @@ struct InterfaceElement : InterfaceSprings {
   Mat43 stress_rows_a, stress_rows_b;  // m; not set where there are none
   Mat43 strain_rows_a, strain_rows_b;  // N per m of thickness; not set where there are none
   // What gap and force would have been when blocks that had moved, and bore stress, were joined, or springs changed
-  // (renew_springs.h): both count from there, forces with stress rows alone, gaps where they are measured.
+  // (renew_springs.h): gaps count from there where measured, forces with stress rows, and by join_blocks.h.
   Vec4 gap_at_start = Vec4::Zero(), force_at_start = Vec4::Zero();
 
   template <typename Self, typename Archive>

@@ -5,15 +5,19 @@
 #include <set>
 #include <utility>
 
+#include "engine/contact/block_across.h"
 #include "engine/contact/contact_geometry.h"
 #include "engine/contact/interface_frame.h"
 #include "engine/contact/make_contacts.h"
 #include "engine/contact/make_element.h"
+#include "engine/contact/projected_stretch.h"
 
 namespace dda {
 namespace {
 
 std::size_t at(int block) { return static_cast<std::size_t>(block); }
+
+std::pair<int, int> pair_of(const Interface& interface) { return std::minmax(interface.block_a, interface.block_b); }
 
 constexpr std::array<Eigen::Index, 2> normal_rows = {0, 2};
 
@@ -40,20 +44,53 @@ void leave_open(const std::array<double, 2>& apart, InterfaceState& own) {
   }
 }
 
-// What is not cast against its neighbours cannot pass on their stress, nor take it off them: it has springs, as where a
-// joint broke.
-bool has_springs(const JointMaterial& joint, const InterfaceElement& element) {
-  return element.law == InterfaceLaw::projected || (is_dry(joint) && !joint.bonded);
+bool is_loose(const JointMaterial& joint) { return is_dry(joint) && !joint.bonded; }
+
+// The gaps of a dry stretch at its two points, where its ends are as wide as the blocks are apart, or seated.
+Vec4 gaps_between(const EndsApart& ends, double lever) {
+  const double from = std::max(ends.from.x(), 0.0), to = std::max(ends.to.x(), 0.0);
+  const double middle = (from + to) / 2, turn = lever * (to - from) / 2;
+  return {middle - turn, 0, middle + turn, 0};
+}
+
+// The own traction of a block at a stretch, Pa, normal and shear. A block that comes in has none: it is free of stress,
+// and has its weight from then on.
+Vec2 own_traction(const State& state, const ComingBlocks& blocks, int block, const InterfaceElement& element,
+                  const Vec2& beside_stress) {
+  if (blocks.comes_in[at(block)]) return Vec2::Zero();
+  const Vec2 normal = normal_of(element);
+  return local_axes(normal) * (traction_rows(normal) * state.stress[at(block)]) + beside_stress;
+}
+
+// Joins two blocks by a stretch of the projected law without force: their own tractions and gaps count from now on.
+void join_projected(const Model& model, const State& state, const ComingBlocks& blocks, const Interface& interface,
+                    InterfaceElement& element, InterfaceState& own) {
+  element.gap_at_start.setZero();
+  element.force_at_start << own_traction(state, blocks, element.block_a, element, element.beside_stress_a),
+      own_traction(state, blocks, element.block_b, element, element.beside_stress_b);
+  element.force_at_start *= element.length;
+  element.beside_stress_a -= traction_when_joined(element, false);
+  element.beside_stress_b -= traction_when_joined(element, true);
+  const bool loose = is_loose(model.joints[at(interface.joint)]);
+  const EndsApart ends = ends_apart(model, state, interface);
+  const Vec4 gap = loose ? gaps_between(ends, element.lever) : Vec4::Zero();
+  element.gap_at_start = gap_as_it_lies(model, state, interface, element, own) - gap;
+  own.gap = gap;
+  own.broken = {loose, loose};
+  answer_gaps(element, own);
+  if (ends.from.x() <= 0 && ends.to.x() <= 0) own.status = {ContactStatus::locked, ContactStatus::locked};
 }
 
 void join(const Model& model, const State& state, const ComingBlocks& blocks, const Interface& interface,
           InterfaceElement& element, InterfaceState& own) {
   const JointMaterial& joint = model.joints[at(interface.joint)];
-  if (has_springs(joint, element)) element = make_element(model, interface, InterfaceLaw::classical);
+  const bool passes_on = element.law == InterfaceLaw::projected || !is_loose(joint);
+  if (!passes_on) element = make_element(model, interface, InterfaceLaw::classical);
   set_geometry(model, acting_frame(model, blocks.acting, interface, element.law), element);
   own = {};
   if (has_stress_rows(element)) return join_passing_stress(model, state, interface, element, own);
-  if (joint.bonded || !is_dry(joint)) return;
+  if (element.law == InterfaceLaw::projected) return join_projected(model, state, blocks, interface, element, own);
+  if (!is_loose(joint)) return;
   const EndsApart ends = ends_apart(model, state, interface);
   leave_open({ends.from.x(), ends.to.x()}, own);
 }
@@ -96,23 +133,21 @@ ContactSet joined_contacts(const Model& model, const State& state, const ComingB
   return joined;
 }
 
-ContactSet holding_contacts(const Model& model, const State& state, const ComingBlocks& blocks,
-                            const std::function<double(int, int)>& reach) {
-  const ContactSet joined = joined_contacts(model, state, blocks);
-  std::set<std::pair<int, int>> holding, apart;
-  const auto pair_of = [](const Interface& each) -> std::pair<int, int> {
-    return std::minmax(each.block_a, each.block_b);
-  };
+ContactSet holding_contacts(const Model& model, const State& state, const ContactSet& joined,
+                            const std::vector<char>& ends, const std::function<double(int, int)>& reach) {
+  std::set<std::pair<int, int>> apart;
   for (const Interface& each : joined.interfaces) {
-    if (each.length > 0 && !is_dry(model.joints[at(each.joint)])) holding.insert(pair_of(each));
-    const EndsApart ends = ends_apart(model, state, each);
-    if (std::max(ends.from.norm(), ends.to.norm()) > reach(each.block_a, each.block_b)) apart.insert(pair_of(each));
+    const EndsApart by = ends_apart(model, state, each);
+    if (std::max(by.from.norm(), by.to.norm()) > reach(each.block_a, each.block_b)) apart.insert(pair_of(each));
   }
   ContactSet kept;
   for (std::size_t i = 0; i < joined.interfaces.size(); ++i)
-    if (const auto pair = pair_of(joined.interfaces[i]); holding.contains(pair) && !apart.contains(pair))
-      append(joined, i, kept);
+    if (ends[i] == 0 && !apart.contains(pair_of(joined.interfaces[i]))) append(joined, i, kept);
   return kept;
+}
+
+Vec2 traction_when_joined(const InterfaceElement& element, bool of_b) {
+  return element.force_at_start.segment<2>(of_b ? 2 : 0) / element.length;
 }
 
 void bring_in(const Model& model, const State& state, const ComingBlocks& blocks, bool at_rest, ContactSet& contacts) {

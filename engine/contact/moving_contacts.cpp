@@ -125,9 +125,11 @@ void MovingContacts::leave_out(const std::vector<bool>& absent, ContactSet& cont
 void MovingContacts::bring_in(const Model& model, const State& state, const ComingBlocks& blocks,
                               ContactSet& contacts) {
   const auto reach = [this](int a, int b) { return ContactSearch::reach * std::min(size_of(a), size_of(b)); };
-  const ContactSet joined = holding_contacts(model, state, blocks, reach);
-  insert_contacts(model, joined, stretches_, contacts);
-  stretches_ += joined.interfaces.size();
+  const ContactSet joined = joined_contacts(model, state, blocks);
+  const std::vector<char> ends = ending_.find(model, state, joined, joined.interfaces.size(), true);
+  const ContactSet holding = holding_contacts(model, state, joined, ends, reach);
+  insert_contacts(model, holding, stretches_, contacts);
+  stretches_ += holding.interfaces.size();
   search_.bring_in(blocks.absent);
   follow(model, state, blocks.acting, 0, contacts);
   begin_anew(model, blocks.comes_in, contacts);

@@ -48,8 +48,8 @@ class MovingContacts {
   // Takes out the contacts of blocks that are absent, which touch nothing from now on.
   void leave_out(const std::vector<bool>& absent, ContactSet& contacts);
 
-  // Blocks come in, whose contacts begin without force. Joints with strength hold them where their neighbours are still
-  // near what was drawn, by no more than contacts are looked for; elsewhere they count as broken.
+  // Blocks come in, whose contacts begin without force. Joints with strength hold them, and dry ones of the projected
+  // law are stretches, where their neighbours are still near what was drawn; elsewhere they count as broken.
   void bring_in(const Model& model, const State& state, const ComingBlocks& blocks, ContactSet& contacts);
 
   // True when increments `d` from `state` close contacts that lay further away than was looked for, or move blocks into

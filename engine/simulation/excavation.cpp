@@ -46,6 +46,15 @@ void keep_as_loads(const Eigen::VectorXd& internal_before, BlockSystem& s) {
   s.loads_at(s.state.time, s.forces.load_old);
 }
 
+// J per m of thickness: what the weight of blocks that come in makes of their own tractions at projected joints stores,
+// less than nothing (projected_law.h). They have no stress yet.
+double stored_by_weight(const std::vector<int>& added, const ContactSet& contacts) {
+  double stored = 0;
+  if (contacts.outline_constant.empty()) return stored;
+  for (const int block : added) stored -= contacts.outline_constant[static_cast<std::size_t>(block)];
+  return stored;
+}
+
 }  // namespace
 
 void draw_again(BlockSystem& s) {
@@ -82,6 +91,7 @@ void bring_in(BlockSystem& s, GeneralStep& general) {
   if (s.plan.linear) return;               // new contacts exert nothing, and the others are as they were
   refresh_tractions(s.state, s.contacts);  // their gaps were measured anew
   s.sum_internal_forces(s.forces.internal_old);
+  s.audit.rock_changed(0, 0, stored_by_weight(added, s.contacts));
   s.audit.geometry_followed(s.stored_energy_now());
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "engine/contact/join_blocks.h"
 #include "engine/contact/make_element.h"
 #include "engine/contact/projected_law.h"
 #include "engine/contact/projected_stretch.h"
@@ -75,6 +76,7 @@ void FaceLoads::list(const Model& model, const ContactSet& contacts) {
 }
 
 void FaceLoads::take(const LoadTime& time, BlockSystem& system) {
+  count_from_joining(system);
   pose(time, system);
   Eigen::VectorXd& added = system.forces.by_faces;
   if (added.size() == 0) return;
@@ -114,6 +116,29 @@ void FaceLoads::take_back(BlockSystem& system) {
   system.forces.by_faces.resize(0);
 }
 
+// Own tractions of blocks that were there count from when blocks that come in are joined to them (join_blocks.h), with
+// what loads on their faces had made of them until then.
+void FaceLoads::count_from_joining(BlockSystem& s) const {
+  const std::vector<int>& added = s.stage().rock.added;
+  if (added.empty()) return;
+  const auto comes_in = [&added](int block) { return std::ranges::find(added, block) != added.end(); };
+  for (const Face& face : faces_) {
+    const Interface& stretch = s.contacts.interfaces[face.stretch];
+    const bool is_new = comes_in(stretch.block_a) || comes_in(stretch.block_b);
+    if (!is_new || comes_in(face.of_b ? stretch.block_b : stretch.block_a)) continue;
+    Part part{Vec2::Zero(), Vec2::Zero(), Vec4::Zero()};
+    add_load(face, LoadTime::at(s.state.time), s.clock.stage - 1, s, part);
+    InterfaceElement& element = s.contacts.elements.edit()[face.stretch];
+    element.by_loads += part.by_loads;
+    if (element.law == InterfaceLaw::consistent) {
+      element.force_at_start += part.by_loads;
+      continue;
+    }
+    element.gap_at_start += part.by_loads;
+    element.force_at_start += element.length * (Vec4() << part.beside_stress_a, part.beside_stress_b).finished();
+  }
+}
+
 // The ledger takes the work of internal forces by those of the start and the end of a step, where these were added to
 // the start at once.
 void FaceLoads::accept(BlockSystem& system) {
@@ -132,17 +157,19 @@ void FaceLoads::find_changes(const LoadTime& time, const BlockSystem& s) {
     const InterfaceElement& element = s.contacts.elements.own()[k];
     Part part{Vec2::Zero(), Vec2::Zero(), Vec4::Zero()};
     if (element.law == InterfaceLaw::projected) {
-      part.beside_stress_a = traction_by_weight(s.model, stretch.block_a, stretch);
-      part.beside_stress_b = traction_by_weight(s.model, stretch.block_b, stretch);
+      part.beside_stress_a =
+          traction_by_weight(s.model, stretch.block_a, stretch) - traction_when_joined(element, false);
+      part.beside_stress_b =
+          traction_by_weight(s.model, stretch.block_b, stretch) - traction_when_joined(element, true);
     }
-    for (; face != faces_.end() && face->stretch == k; ++face) add_load(*face, time, s, part);
+    for (; face != faces_.end() && face->stretch == k; ++face) add_load(*face, time, s.clock.in_force(), s, part);
     if (part != part_of(element)) changes_.push_back({k, part});
   }
 }
 
-void FaceLoads::add_load(const Face& face, const LoadTime& time, const BlockSystem& s, Part& part) {
+void FaceLoads::add_load(const Face& face, const LoadTime& time, std::size_t stage, const BlockSystem& s, Part& part) {
   const EdgeLoad& load = s.model.edge_loads[face.load];
-  if (!load.stages.has(s.clock.in_force())) return;
+  if (!load.stages.has(stage)) return;
   const InterfaceElement& element = s.contacts.elements.own()[face.stretch];
   const double now = time.of([&](double then) { return evaluate(load.history, then); });
   const auto added = [&](const Vec2& traction) {

@@ -74,7 +74,9 @@ class FaceLoads {
 
   // Lists the stretches whose loads are others at that moment.
   void find_changes(const LoadTime& time, const BlockSystem& system);
-  static void add_load(const Face& face, const LoadTime& time, const BlockSystem& system, Part& part);
+  void count_from_joining(BlockSystem& system) const;
+  static void add_load(const Face& face, const LoadTime& time, std::size_t stage, const BlockSystem& system,
+                       Part& part);
   static void follow(const Part& part, InterfaceElement& element, InterfaceState& state);
   static Part part_of(const InterfaceElement& element);
   static void set_part(const Part& part, InterfaceElement& element);

@@ -7,6 +7,7 @@
 #include "engine/contact/inherited_state.h"
 #include "engine/contact/interface_element.h"
 #include "engine/contact/interface_state.h"
+#include "engine/contact/join_blocks.h"
 #include "engine/contact/projected_law.h"
 #include "engine/contact/renew_springs.h"
 #include "engine/contact/tied_sides.h"
@@ -64,7 +65,10 @@ double renew_weights(BlockSystem& s) {
   const std::vector<Vec3> outline_before = s.contacts.outline_strain;
   for (std::size_t i = 0; i < s.contacts.interfaces.size(); ++i) {
     InterfaceElement& element = s.contacts.elements.edit()[i];
-    if (element.law == InterfaceLaw::projected) set_weights(s.model, s.contacts.interfaces[i], element);
+    if (element.law != InterfaceLaw::projected) continue;
+    set_weights(s.model, s.contacts.interfaces[i], element);
+    element.beside_stress_a -= traction_when_joined(element, false);
+    element.beside_stress_b -= traction_when_joined(element, true);
   }
   take_off_blocks(s.model, s.contacts);
   renew_internal_forces(outline_before, s);

@@ -91,12 +91,38 @@ void FreeField::add_on_strains(const Contact& contact, const TiedSides& sides, M
 Status FreeField::advance_to(double time, double dt) {
   if (time_ >= time) return Status::ok;
   const double middle = time - dt / 2;  // the clocks of both may differ by round-off
-  const Status status = columns_.state().time < middle ? columns_.step() : Status::ok;
-  if (status != Status::ok) return status;
+  const bool is_behind = columns_.state().time < middle;
+  const bool settles = is_behind && columns_.system().stage().integrator.is_static;
+  const std::vector<Vec6> before = settles ? columns_.state().displacement : std::vector<Vec6>();
+  if (is_behind)
+    if (const Status status = columns_.step(); status != Status::ok) return status;
   read_columns();
+  if (settles) keep_pace(before, dt);
   time_old_ = time - dt;
   time_ = time;
   return Status::ok;
+}
+
+// Static steps leave blocks at rest, and the side's dashpots act on the velocity that the step of the model ends with
+// before it is taken out, 2 d/dt. Where the column had none the side was held back by them while the ground beyond it
+// settled: rock whose joints slide or gape on the way came to rest otherwise.
+void FreeField::keep_pace(const std::vector<Vec6>& before, double dt) {
+  for (Contact& contact : contacts_) {
+    const std::size_t block = at(contact.column_block);
+    contact.now.velocity = 2 / dt * (columns_.state().displacement[block] - before[block]);
+    contact.old.velocity = contact.now.velocity;  // a part of the step has the same
+  }
+}
+
+// A column is at rest between stages, if it has settled.
+bool FreeField::stand_still() {
+  bool any = false;
+  for (Contact& contact : contacts_) {
+    const Vec6& velocity = columns_.state().velocity[at(contact.column_block)];
+    any = any || contact.now.velocity != velocity;
+    contact.now.velocity = velocity;
+  }
+  return any;
 }
 
 bool FreeField::stands_still_until(double time) const { return columns_.finished() || columns_.state().time >= time; }
@@ -104,13 +130,13 @@ bool FreeField::stands_still_until(double time) const { return columns_.finished
 bool FreeField::begin_stage(const Model& model, const State& state, std::size_t stage) {
   bool any = false;
   for_each_edge(model, contacts_, [&](const ViscousEdge& edge, double, Contact& contact) {
-    if (at(edge.first_stage) != stage || stage == 0) return;
+    if (at(edge.first_stage) != stage) return;
     contact.force_before = contact.now.force;
     contact.on_strains_before = contact.now.on_strains;
     any = true;
   });
   if (any) update_geometry(model, state, stage);
-  return any;
+  return stand_still() || any;
 }
 
 void FreeField::update_geometry(const Model& model, const State& state, std::size_t stage) {
@@ -137,12 +163,14 @@ void FreeField::place(const Model& model, const State& state, const ViscousEdge&
   contact.dashpots =
       viscous_coupling(from, to, in_column(edge.from), in_column(edge.to), edge.normal_impedance, edge.shear_impedance);
   contact.middle = outward * displacement_rows((from + to) / 2).transpose();
+  contact.acts = true;
 }
 
 void FreeField::add_loads_at(double time, double stiffness_damping, Eigen::VectorXd& force) const {
   const double passed = time_ > time_old_ ? (time - time_old_) / (time_ - time_old_) : 1;
   const double share = std::clamp(passed, 0.0, 1.0);
   for (const Contact& contact : contacts_) {
+    if (!contact.acts) continue;
     const Vec6 velocity = (1 - share) * contact.old.velocity + share * contact.now.velocity;
     const auto now = [&](auto part) { return ((1 - share) * contact.old.*part + share * contact.now.*part).eval(); };
     const Vec2 tied = now(&Motion::force) - contact.force_before;

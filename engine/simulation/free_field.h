@@ -31,8 +31,8 @@ class FreeField {
   // True when the columns have come to rest in a static stage that ends at `time`.
   [[nodiscard]] bool stands_still_until(double time) const;
 
-  // Sides that begin to act with this stage. They carry the forces that come from now on: what was there before is
-  // held by what the model had in their place. False when none does.
+  // A stage after the first. Sides that begin to act with it carry the forces that come from now on: what was there
+  // before is held by what the model had in their place. False when no force of a side is another.
   bool begin_stage(const Model& model, const State& state, std::size_t stage);
 
   // Moves the edges with their blocks (finite kinematics).
@@ -79,19 +79,23 @@ class FreeField {
     Mat6 dashpots = Mat6::Zero();  // times the column's velocity
     Eigen::Matrix<double, 6, 2> middle = Eigen::Matrix<double, 6, 2>::Zero();  // of the edge, times the ties' force
     double wider = 1;                                                          // than the column's block
+    bool acts = false;                                                         // from its stage on
     Vec2 force_before = Vec2::Zero();                                          // N, when the side began to act
     Vec3 on_strains_before = Vec3::Zero();                                     // N m
     Motion old, now;                                                           // at the ends of the columns' last step
 
     template <typename Self, typename Archive>
     static void visit(Self& self, Archive& archive) {
-      auto& [block, column_block, ties, dashpots, middle, wider, force_before, on_strains_before, old, now] = self;
-      archive(dashpots, middle, force_before, on_strains_before, old, now);  // the others are the drawing's
+      auto& [block, column_block, ties, dashpots, middle, wider, acts, force_before, on_strains_before, old, now] =
+          self;
+      archive(dashpots, middle, acts, force_before, on_strains_before, old, now);  // the others are the drawing's
     }
   };
 
   FreeField(const Model& model, const State& state, FreeFieldColumns&& columns);
   void read_columns();
+  void keep_pace(const std::vector<Vec6>& before, double dt);
+  bool stand_still();
   [[nodiscard]] Motion motion_of(const Contact& contact) const;
   void add_on_strains(const Contact& contact, const TiedSides& sides, Motion& motion) const;
   void place(const Model& model, const State& state, const ViscousEdge& edge, double outward, Contact& contact);

@@ -83,9 +83,10 @@ void begin_viscous_edges(BlockSystem& system) {
   const std::size_t stage = system.clock.stage;
   const Model& model = system.model;
   const auto begins = [&](const ViscousEdge& edge) { return edge.first_stage == static_cast<int>(stage); };
-  if (stage == 0 || std::none_of(model.viscous_edges.begin(), model.viscous_edges.end(), begins)) return;
+  if (stage == 0 || model.viscous_edges.empty()) return;
   const State geometry = system.geometry_moves() ? system.state : initial_state(model);
-  update_geometry(model, geometry, stage, system.damping);
+  if (std::any_of(model.viscous_edges.begin(), model.viscous_edges.end(), begins))
+    update_geometry(model, geometry, stage, system.damping);
   if (system.free_field && system.free_field->begin_stage(model, geometry, stage))
     system.loads_at(system.state.time, system.forces.load_old);
 }

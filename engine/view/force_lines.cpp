@@ -99,7 +99,6 @@ Vec2 end_in(const Drawing& drawing, const std::vector<Vec2>& points, const Resul
 }  // namespace
 
 std::pair<double, Vec2> area_and_centroid(const Drawing& drawing, const std::vector<Vec2>& points, std::size_t block) {
-  if (drawing.block_begin[block] == drawing.block_begin[block + 1]) return {0, Vec2::Zero()};  // never there
   const Vec2& origin = points[drawing.ring_begin[drawing.block_begin[block]]];
   double area = 0;
   Vec2 moment = Vec2::Zero();

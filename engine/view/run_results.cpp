@@ -5,19 +5,12 @@
 #include <algorithm>
 #include <limits>
 #include <system_error>
-#include <utility>
 
 #include "engine/core/error.h"
+#include "engine/view/frame_file.h"
 
 namespace dda {
 namespace {
-
-// Blocks that were removed before a run began have no cells: more of them than this would be a slip of a number.
-constexpr std::size_t most_removed = 1'000'000;
-
-[[noreturn]] void refuse(const std::filesystem::path& path, const std::string& value) {
-  throw InputError(path.string(), "the file", value, "a frame that dda run --frames writes; run the scene again");
-}
 
 std::vector<SeriesEntry> frames_in(const std::filesystem::path& folder) {
   std::error_code ignored;
@@ -32,18 +25,8 @@ std::vector<SeriesEntry> frames_in(const std::filesystem::path& folder) {
   return entries;
 }
 
-template <typename Number>
-const std::vector<Number>& need_array(const std::filesystem::path& path, const std::vector<VtkArray>& arrays,
-                                      std::string_view name, int components) {
-  const auto* values = find_array<Number>(arrays, name, components);
-  if (values == nullptr) refuse(path, "without \"" + std::string(name) + "\"");
-  return *values;
-}
-
-// The plane part of a vector, or of a point.
-Vec2 plane(const std::vector<double>& values, std::size_t index) { return {values[3 * index], values[3 * index + 1]}; }
-
-std::vector<DrawnContact> read_contacts(const std::filesystem::path& path, std::size_t blocks) {
+std::vector<DrawnContact> read_contacts(const std::filesystem::path& path,
+                                        const std::map<std::int32_t, std::size_t>& places) {
   const PolyData data = read_vtp(path);
   const auto& block_a = need_array<std::int32_t>(path, data.point_data, "block_a", 1);
   const auto& block_b = need_array<std::int32_t>(path, data.point_data, "block_b", 1);
@@ -53,12 +36,18 @@ std::vector<DrawnContact> read_contacts(const std::filesystem::path& path, std::
   const auto& displacement = need_array<double>(path, data.point_data, "displacement [m]", 3);
   std::vector<DrawnContact> contacts(block_a.size());
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    for (const std::int32_t block : {block_a[i], block_b[i]})
-      if (block < 0 || static_cast<std::size_t>(block) >= blocks) refuse(path, "of other blocks than the first frame");
-    if (status[i] < 0 || status[i] > 2) refuse(path, "with the unknown status " + std::to_string(status[i]));
+    const auto a = places.find(block_a[i]);
+    const auto b = places.find(block_b[i]);
+    if (a == places.end() || b == places.end()) refuse_frame(path, "of other blocks than the frames");
+    if (status[i] < 0 || status[i] > 2) refuse_frame(path, "with the unknown status " + std::to_string(status[i]));
     const Vec2 moved = plane(displacement, i);
-    contacts[i] = {block_a[i],      block_b[i],          plane(data.points, i) - moved,      moved,
-                   plane(force, i), normal_force[i] > 0, static_cast<DrawnStatus>(status[i])};
+    contacts[i] = {static_cast<int>(a->second),
+                   static_cast<int>(b->second),
+                   plane(data.points, i) - moved,
+                   moved,
+                   plane(force, i),
+                   normal_force[i] > 0,
+                   static_cast<DrawnStatus>(status[i])};
   }
   return contacts;
 }
@@ -86,14 +75,14 @@ const LineNames lining_lines{"linings",
 
 void append_lines(const std::filesystem::path& path, const PolyData& data, const LineNames& names,
                   const std::vector<std::int64_t>& offsets, std::vector<DrawnBolt>& lines) {
-  if (data.lines.offsets != offsets) refuse(path, fmt::format("of other {} than the first frame", names.kind));
+  if (data.lines.offsets != offsets) refuse_frame(path, fmt::format("of other {} than the first frame", names.kind));
   const auto& name = need_array<std::string>(path, data.cell_data, names.name, 1);
   const auto& status = need_array<std::int32_t>(path, data.cell_data, "status", 1);
   const auto& force = need_array<double>(path, data.cell_data, names.force, 1);
   const auto& displacement = need_array<double>(path, data.point_data, "displacement [m]", 3);
   for (std::size_t i = 0; i < data.lines.size(); ++i) {
     if (status[i] < 0 || static_cast<std::size_t>(status[i]) >= names.conditions.size())
-      refuse(path, "with the unknown status " + std::to_string(status[i]));
+      refuse_frame(path, "with the unknown status " + std::to_string(status[i]));
     DrawnBolt& line = lines.emplace_back();
     line.name = name[i];
     line.force = names.sign * force[i];
@@ -118,7 +107,7 @@ void read_utilisation(const std::filesystem::path& path, const PolyData& data, s
   }
 }
 
-// Gives a block that has been removed the values of none.
+// Gives a block that is not there the values of none.
 void add_nothing(const Drawing& drawing, std::size_t block, Frame& frame) {
   constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
   frame.stress.emplace_back(Vec3::Constant(nothing));
@@ -138,71 +127,44 @@ RunResults::RunResults(const std::filesystem::path& folder) : frames_(frames_in(
   linings_ = series_beside(folder / "linings.pvd");
   if (has_bolts()) bolt_offsets_ = read_vtp(bolts_[0].file).lines.offsets;
   if (has_linings()) lining_offsets_ = read_vtp(linings_[0].file).lines.offsets;
-  read_outlines(frames_[0].file, read_vtp(frames_[0].file));
+  read_outlines();
 }
 
 std::vector<SeriesEntry> RunResults::series_beside(const std::filesystem::path& index) const {
   if (!std::filesystem::exists(index)) return {};
   auto entries = read_series(index);
-  if (!entries.empty() && entries.size() < frames_.size()) refuse(index, "shorter than frames.pvd");
+  if (!entries.empty() && entries.size() < frames_.size()) refuse_frame(index, "shorter than frames.pvd");
   return entries;
 }
 
-// A block is one polygon, or triangles with rings as closed lines; see FrameWriter.
-void RunResults::read_outlines(const std::filesystem::path& path, const PolyData& first) {
-  const auto& block_of = need_array<std::int32_t>(path, first.cell_data, "block", 1);
-  const auto& name_of = need_array<std::string>(path, first.cell_data, "block_name", 1);
-  const std::size_t lines = first.lines.size();
-  if (first.vertices.size() != 0 || block_of.empty()) refuse(path, "without blocks");
-  points_in_file_ = first.points.size() / 3;
-
-  const auto last = *std::ranges::max_element(block_of);
-  if (std::cmp_greater(last, block_of.size() + most_removed)) refuse(path, fmt::format("damaged (block {})", last));
-  std::vector<std::vector<std::size_t>> cells(static_cast<std::size_t>(std::max(last, -1) + 1));
-  for (std::size_t i = 0; i < block_of.size(); ++i) {
-    if (block_of[i] < 0) refuse(path, "damaged (block)");
-    cells[static_cast<std::size_t>(block_of[i])].push_back(i);
+void RunResults::read_outlines() {
+  FrameOutlines outlines;
+  for (const SeriesEntry& entry : frames_) {
+    outlines.add(entry.file, read_vtp(entry.file));
+    if (outlines.is_complete()) break;
   }
-  drawing_.ring_begin = {0};
-  drawing_.block_begin = {0};
-  for (const auto& own : cells) {  // none of a block that was removed before the run began
-    cells_of_block_.push_back(own.size());
-    drawing_.names.push_back(own.empty() ? "" : name_of[own[0]]);
-    if (!own.empty() && own[0] >= lines) add_ring(path, first, first.polygons.cell(own[0] - lines));
-    for (const std::size_t cell : own) {
-      if (cell >= lines) break;
-      const auto closed = first.lines.cell(cell);
-      if (closed.size() < 4) refuse(path, "damaged (a ring is too short)");
-      add_ring(path, first, closed.first(closed.size() - 1));
-    }
-    drawing_.block_begin.push_back(static_cast<std::uint32_t>(drawing_.rings()));
-  }
+  drawing_ = outlines.drawing();
+  if (drawing_.blocks() == 0) refuse_frame(frames_[0].file, "without blocks");
+  points_in_file_ = outlines.points_in_file();
+  point_ = outlines.points();
+  place_of_block_ = outlines.places();
+  cells_of_block_ = outlines.cells();
 }
 
-void RunResults::add_ring(const std::filesystem::path& path, const PolyData& first,
-                          std::span<const std::int64_t> points) {
-  const auto& displacement = need_array<double>(path, first.point_data, "displacement [m]", 3);
-  for (const std::int64_t point : points) {
-    const auto i = static_cast<std::size_t>(point);
-    point_.push_back(i);
-    drawing_.reference.emplace_back(plane(first.points, i) - plane(displacement, i));
-  }
-  drawing_.ring_begin.push_back(static_cast<std::uint32_t>(point_.size()));
-}
-
-// The first cell of each block, which has its values; none of a block that has been removed.
+// The first cell of each block, which has its values; none of a block that is not there.
 std::vector<std::optional<std::size_t>> RunResults::cells_of_blocks(const std::filesystem::path& path,
                                                                     const PolyData& data) const {
   const auto& block_of = need_array<std::int32_t>(path, data.cell_data, "block", 1);
   std::vector<std::optional<std::size_t>> first(drawing_.blocks());
   std::vector<std::size_t> count(drawing_.blocks(), 0);
   for (std::size_t cell = 0; cell < block_of.size(); ++cell) {
-    const auto block = static_cast<std::size_t>(block_of[cell]);
-    if (block_of[cell] < 0 || block >= first.size()) refuse(path, "of other blocks than the first frame");
-    if (count[block]++ == 0) first[block] = cell;
+    const auto place = place_of_block_.find(block_of[cell]);
+    if (place == place_of_block_.end()) refuse_frame(path, "of other blocks than the frames before");
+    if (count[place->second]++ == 0) first[place->second] = cell;
   }
   for (std::size_t block = 0; block < first.size(); ++block)
-    if (first[block] && count[block] != cells_of_block_[block]) refuse(path, "of other blocks than the first frame");
+    if (first[block] && count[block] != cells_of_block_[block])
+      refuse_frame(path, "of other blocks than the frames before");
   return first;
 }
 
@@ -219,7 +181,7 @@ void RunResults::add_lines(std::size_t index, std::vector<DrawnBolt>& lines) con
 Frame RunResults::frame(std::size_t index) const {
   const std::filesystem::path& path = frames_.at(index).file;
   const PolyData data = read_vtp(path);
-  if (data.points.size() / 3 != points_in_file_) refuse(path, "of other blocks than the first frame");
+  if (data.points.size() / 3 != points_in_file_) refuse_frame(path, "of other blocks than the first frame");
   const auto& displacement = need_array<double>(path, data.point_data, "displacement [m]", 3);
   const auto& xx = need_array<double>(path, data.cell_data, "stress_xx [Pa]", 1);
   const auto& yy = need_array<double>(path, data.cell_data, "stress_yy [Pa]", 1);
@@ -240,7 +202,7 @@ Frame RunResults::frame(std::size_t index) const {
       add_nothing(drawing_, block, frame);
     }
   }
-  if (has_contacts()) frame.contacts = read_contacts(contacts_[index].file, drawing_.blocks());
+  if (has_contacts()) frame.contacts = read_contacts(contacts_[index].file, place_of_block_);
   add_lines(index, frame.bolts);
   return frame;
 }

@@ -5,27 +5,16 @@
 #include <cstdint>
 #include <filesystem>
 #include <limits>
+#include <map>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "engine/core/types.h"
 #include "engine/record/vtp_reader.h"
+#include "engine/view/frame_outlines.h"
 
 namespace dda {
-
-// What stays from frame to frame: the true outlines of the blocks, holes included.
-struct Drawing {
-  std::vector<std::string> names;         // of the blocks
-  std::vector<Vec2> reference;            // m, all vertices as drawn at the start, those of a ring one after the other
-  std::vector<std::uint32_t> ring_begin;  // ring r has the vertices ring_begin[r] to ring_begin[r + 1]
-  std::vector<std::uint32_t>
-      block_begin;  // block b has the rings block_begin[b] to block_begin[b + 1], outer one first
-
-  [[nodiscard]] std::size_t blocks() const { return block_begin.size() - 1; }
-  [[nodiscard]] std::size_t rings() const { return ring_begin.size() - 1; }
-};
 
 enum class DrawnStatus : std::uint8_t { locked, sliding, open };
 
@@ -53,7 +42,8 @@ struct DrawnBolt {
   double utilisation = std::numeric_limits<double>::quiet_NaN();
 };
 
-// Blocks that have been removed have displacements, stresses and velocities that are no numbers.
+// Blocks that are not there, removed or still to be added, have displacements, stresses and velocities that are no
+// numbers.
 struct Frame {
   double time = 0;                 // s
   std::vector<Vec2> displacement;  // m, of every vertex of the Drawing
@@ -68,8 +58,8 @@ inline bool is_present(const Frame& frame, std::size_t block) { return !std::isn
 
 class RunResults {
  public:
-  // Reads the list of frames and the first of them. InputError naming the file, and what to do, when there is none or
-  // one is broken.
+  // Reads the list of frames, and as many of them as it takes to know all blocks. InputError naming the file, and what
+  // to do, when there is none or one is broken.
   explicit RunResults(const std::filesystem::path& folder);
 
   [[nodiscard]] const Drawing& drawing() const { return drawing_; }
@@ -87,10 +77,8 @@ class RunResults {
 
  private:
   [[nodiscard]] std::vector<SeriesEntry> series_beside(const std::filesystem::path& index) const;
-  void read_outlines(const std::filesystem::path& path, const PolyData& first);
+  void read_outlines();
   void add_lines(std::size_t index, std::vector<DrawnBolt>& lines) const;
-  void add_ring(const std::filesystem::path& path, const PolyData& first, std::span<const std::int64_t> points);
-
   [[nodiscard]] std::vector<std::optional<std::size_t>> cells_of_blocks(const std::filesystem::path& path,
                                                                         const PolyData& data) const;
 
@@ -100,8 +88,9 @@ class RunResults {
   std::vector<SeriesEntry> linings_;
   std::vector<double> times_;
   Drawing drawing_;
-  std::vector<std::size_t> point_;           // in the file, of every vertex
-  std::vector<std::size_t> cells_of_block_;  // how many a block has in the file
+  std::vector<std::size_t> point_;                      // in the file, of every vertex
+  std::map<std::int32_t, std::size_t> place_of_block_;  // in the drawing, by its number in the file
+  std::vector<std::size_t> cells_of_block_;             // how many a block of the drawing has in the file
   std::size_t points_in_file_ = 0;
   std::vector<std::int64_t> bolt_offsets_, lining_offsets_;  // in the file: where each line ends
 };

@@ -107,7 +107,7 @@ class Run {
     return decoded(codes[frame * this.blocks + block], ranges[frame]);
   }
 
-  // Blocks that have been removed are nowhere.
+  // Blocks that have been removed, or are still to be added, are nowhere.
   isPresent(frame, block) {
     const [[first]] = this.ringsOf(block);
     return this.x[(frame * this.reference.length) / 2 + first] !== NO_NUMBER;

@@ -66,9 +66,12 @@ class Stage {
     return changed;
   }
 
-  // The blocks of the first and the last frame, unless debris of the last is far away.
+  // The blocks of the first and the last frame, unless debris of the last is far away. Blocks that a later frame adds
+  // count where they are drawn, so that what is built up stays in sight.
   fitRun() {
-    const first = boxOf(this.run.positions(0, 1)), last = boxOf(this.run.positions(this.run.frames - 1, 1));
+    const { run } = this;
+    const first = boxOf(run.positions(0, 1).map((place, i) => (isFinite(place) ? place : run.reference[i])));
+    const last = boxOf(run.positions(run.frames - 1, 1));
     const margin = 0.5 * Math.max(first.right - first.left, first.top - first.bottom);
     this.camera.fit({
       left: Math.max(Math.min(first.left, last.left), first.left - margin),

@@ -171,6 +171,7 @@ void take_over_blocks(const BlockSystem& before, BlockSystem& s) {
 void Simulation::go_on_from(const Simulation& settled) {
   BlockSystem& s = *system_;
   const BlockSystem& before = settled.system();
+  draw_all(s, general_);
   GeneralStep& general = *general_;
   s.clock = before.clock;
   leave_out_absent(s, general);

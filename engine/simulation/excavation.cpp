@@ -1,6 +1,7 @@
 #include "engine/simulation/excavation.h"
 
 #include <cstddef>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -57,13 +58,15 @@ double stored_by_weight(const std::vector<int>& added, const ContactSet& contact
 
 }  // namespace
 
-void draw_again(BlockSystem& s) {
+void draw_all(BlockSystem& s, std::unique_ptr<GeneralStep>& general) {
+  if (s.excavated.absent.empty()) return;
   s.excavated = {};
   s.state = initial_state(s.model);
   s.contacts = make_contacts(s.model);
   s.terms = make_block_terms(s.model);
   s.held = make_held_unknowns(s.model);
   s.external = ExternalForces(s.model, s.state, s.waves);
+  general = std::make_unique<GeneralStep>(s);
 }
 
 void leave_out_absent(BlockSystem& s, GeneralStep& general) {

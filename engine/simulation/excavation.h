@@ -6,14 +6,16 @@
 // begin without force (join_blocks.h).
 #pragma once
 
+#include <memory>
+
 namespace dda {
 
 struct BlockSystem;
 class GeneralStep;
 
-// Takes back what has been removed, to the first moment of a run. Contacts are then those of the drawing, as before a
-// GeneralStep begins to follow them.
-void draw_again(BlockSystem& system);
+// Where blocks are absent, takes back that they are, to the first moment of a run, and begins to follow contacts anew:
+// those of the drawing. A system that is to be at another stage has others absent than at its first one.
+void draw_all(BlockSystem& system, std::unique_ptr<GeneralStep>& general);
 
 // Takes the blocks that are absent in the stage under way out of a system of which they were a part until now.
 void leave_out_absent(BlockSystem& system, GeneralStep& general);

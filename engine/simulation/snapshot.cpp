@@ -112,10 +112,7 @@ void Simulation::restore(State state, std::span<const std::byte> snapshot) {
   if (saved_kind != kind) throw InputError("", "checkpoint", "of another version or kind", "one of this program");
   reader(dt);
   take_rock_at_start(s.model);
-  if (!s.excavated.absent.empty()) {
-    draw_again(s);
-    general_ = std::make_unique<GeneralStep>(s);
-  }
+  draw_all(s, general_);
   reader(s.clock);
   leave_out_absent(s, *general_);
   take_rock_in_force(s);

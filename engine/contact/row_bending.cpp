@@ -39,24 +39,37 @@ Piece piece_along(const Model& model, int block, const Vec2& axis) {
   return {block, axis, width_along(model, block, axis), width_across(model, block, axis)};
 }
 
-// The joints of a voussoir lean against the axis of its beam, and seen along them it would look thicker than it is. So
-// the axis is the direction near the joint's normal in which the block fills most of its width times length. One of the
-// sides of the rectangle that is filled most lies on a side of the block. The normal itself stays the axis where no
-// other direction is better by more than round-off.
-Piece fullest_piece(const Model& model, int block, const Vec2& normal) {
-  constexpr double clearly_less = 1 - 1e-9;
-  Piece fullest = piece_along(model, block, normal);
-  if (block_of(model, block).moments.area >= clearly_less * fullest.area_around()) return fullest;
+// What is nearly as small as `least`, but for round-off.
+bool is_least(double area, double least) { return area * (1 - 1e-9) <= least; }
+
+// Takes the directions near the normal of a joint that run along or across the sides of a block.
+template <typename Take>
+void for_each_axis(const Model& model, int block, const Vec2& normal, const Take& take) {
   const Ring& corners = block_of(model, block).shape.outer;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Vec2 side = (corners[(i + 1) % corners.size()] - corners[i]).normalized();
-    for (const Vec2& direction : {side, Vec2(side.unitOrthogonal())}) {
-      if (std::abs(direction.dot(normal)) < opposite_faces) continue;
-      const Piece piece = piece_along(model, block, direction);
-      if (piece.area_around() < clearly_less * fullest.area_around()) fullest = piece;
-    }
+    for (const Vec2& direction : {side, Vec2(side.unitOrthogonal())})
+      if (std::abs(direction.dot(normal)) >= opposite_faces) take(piece_along(model, block, direction));
   }
-  return fullest;
+}
+
+// The joints of a voussoir lean against the axis of its beam, and seen along them it would look thicker than it is. So
+// the axis is the direction near the joint's normal in which the block fills most of its width times length. One of the
+// sides of the rectangle that is filled most lies on a side of the block. The rectangles on several sides can be filled
+// alike, as they always are in a triangle: then it is the direction nearest to the normal, and the normal itself where
+// that is one of them, whatever corner the outline begins with.
+Piece fullest_piece(const Model& model, int block, const Vec2& normal) {
+  const Piece along_normal = piece_along(model, block, normal);
+  if (is_least(along_normal.area_around(), block_of(model, block).moments.area)) return along_normal;
+  double least = along_normal.area_around();
+  for_each_axis(model, block, normal, [&](const Piece& piece) { least = std::min(least, piece.area_around()); });
+  if (is_least(along_normal.area_around(), least)) return along_normal;
+  Piece nearest;
+  const auto nearness = [&](const Piece& piece) { return std::abs(piece.axis.dot(normal)); };
+  for_each_axis(model, block, normal, [&](const Piece& piece) {
+    if (is_least(piece.area_around(), least) && nearness(piece) > nearness(nearest)) nearest = piece;
+  });
+  return nearest;
 }
 
 Piece piece_at(const Model& model, const Interface& interface, int block) {

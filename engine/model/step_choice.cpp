@@ -229,18 +229,24 @@ bool steps_may_grow(const Model& model, const Stage& stage) {
          stage.velocity_factor == 1;
 }
 
+// Times that are the same differ by round-off where they come about in two ways, or are written in other units. It
+// makes no step more, and none of half the length: steps are chosen with far less care than that.
+constexpr double round_off = 1e-12;
+
+bool fits(double time, double most) { return time * (1 - round_off) <= most; }
+
 // The steps of a stage begin with its dt and grow while `longest` (s) and its duration allow it.
 void let_grow(double longest, Stage& stage) {
   FirstSteps first{stage.dt, 0};
   const auto leaves_enough = [&](FirstSteps next) {
     ++next.doublings;
     const double dt = std::ldexp(next.dt, next.doublings);
-    return dt <= longest && next.duration() + last_steps * dt <= stage.duration;
+    return fits(dt, longest) && fits(next.duration() + last_steps * dt, stage.duration);
   };
   while (leaves_enough(first)) ++first.doublings;
   if (!first.grow()) return;
   const double left = stage.duration - first.duration();
-  stage.dt = left / std::ceil(left / std::ldexp(first.dt, first.doublings));
+  stage.dt = left / std::ceil(left / std::ldexp(first.dt, first.doublings) * (1 - round_off));
   stage.chosen.dt.first_steps = first;
 }
 
@@ -250,9 +256,9 @@ bool blocks_can_part(const Model& model) {
 }
 
 double rounded_down(double dt) {
-  const double power = std::pow(10, std::floor(std::log10(dt)));
+  const double power = std::pow(10, std::floor(std::log10(dt * (1 + round_off))));
   for (const double digit : {5.0, 2.0})
-    if (dt >= digit * power * (1 - 1e-12)) return digit * power;
+    if (fits(digit * power, dt)) return digit * power;
   return power;
 }
 

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <memory>
 #include <numbers>
+#include <random>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -161,6 +163,32 @@ TEST(StepChoice, OfRockRemovedAtOnceGrows) {
         << duration;  // 200 steps, and ten of twice the length
   }
   EXPECT_EQ(stage.dt, 5e-5);
+}
+
+// Clocks that run ten or a thousand times as fast count the same steps: young, gravity and durations are what those
+// clocks read. Durations are decimals, as scenes write them.
+TEST(StepChoice, KnowsNothingOfTheUnitOfTime) {
+  std::mt19937 random(11);
+  const auto stage_of = [](int duration, int power, double g, double young) {
+    Model model = row_of_squares(false);
+    const double unit = std::stod("1e" + std::to_string(power));
+    model.materials[0].young = young / (unit * unit);
+    model.gravity = Vec2(0, -g) / (unit * unit);
+    model.stages.push_back(model.stages[0]);
+    model.stages[1].removal.blocks = {3};
+    model.stages[1].duration = std::stod(std::to_string(duration) + "e" + std::to_string(power - 3));
+    finish_model(model);
+    return model.stages[1];
+  };
+  for (int i = 0; i < 500; ++i) {
+    const int duration = std::uniform_int_distribution<int>(10, 2000)(random);  // ms
+    const double g = std::uniform_real_distribution<double>(1, 20)(random);
+    const double young = 1e10 * std::uniform_int_distribution<int>(1, 4)(random);
+    const Stage expected = stage_of(duration, 0, g, young);
+    for (const int power : {-4, -3, -2, -1, 1, 2, 3})
+      EXPECT_EQ(stage_of(duration, power, g, young).steps(), expected.steps())
+          << duration << " ms, " << g << " m/s2, times 1e" << power;
+  }
 }
 
 // 40 MPa set blocks moving at 40 MPa / (2500 kg/m3 * 2000 m/s) = 8 m/s, a hundredth of 1 m in 1.25 ms.

@@ -166,7 +166,16 @@ TEST_F(Branch, RefusesWhatMustNotDiffer) {
   };
   expect_no_branch(with("/materials/rock/young", 2e9), "first", "scene.json: materials.rock.young is 2000000000, ");
   expect_no_branch(with("/joints/default/spring_over_young", 5), "first",
-                   "joints.default.law is cubic, expected projected");
+                   "joints.default.spring_over_young is 5, expected none, as in the run to go on from");
+  expect_no_branch(with("/joints/default/penalty", 4), "first",
+                   "joints.default.law is that of the scheme (given, or chosen by what joints and stages say), "
+                   "expected \"projected\", as in the run");
+  expect_no_branch(with("/joints/default/dilation_angle", "5 deg"), "first",
+                   "joints.default.dilation_angle is given, expected none (joints that dilate have springs");
+  expect_no_branch(with("/joints/default/contact_damping", 0.1), "first",
+                   "joints.default.contact_damping is 0.1, expected none, as in the run");
+  expect_no_branch(with("/joints/default/normal_stiffness", "10 GPa/m"), "first",
+                   "joints.default.normal_stiffness is 10000000000, expected none, as in the run");
   expect_no_branch(with("/joints/default/cohesion", 1e5), "first",
                    "joints.default is with cohesion or tensile strength");
   expect_no_branch(with("/blocks/1/polygon/vertices/0/0", 0.1), "first", "block \"low\" is of another outline");
@@ -181,6 +190,16 @@ TEST_F(Branch, RefusesWhatMustNotDiffer) {
   held["supports"] = {{{"block", "floor"}, {"displacement", {"1 mm", 0}}}};
   expect_no_branch(held, "first", "the held block \"floor\" is 0.001 m");
   EXPECT_EQ(run(scene, "first", {"--from", path("first")}).code, 2);
+}
+
+// Gravity may differ, the stress at the start may not, which goes by it where a density makes it.
+TEST_F(Branch, SaysThatStressFollowsGravity) {
+  json scene = bricks({settle, shake});
+  scene["stress_field"] = {{"surface", 5}, {"density", 2600}, {"k0", 0.5}};
+  ASSERT_EQ(run(scene, "first").code, 0);
+  scene["steps"].push_back(rest);
+  scene["gravity"] = 8;
+  expect_no_branch(scene, "first", "gravity is another, and with it the stress at the start, expected");
 }
 
 TEST_F(Branch, RefusesOtherSprings) {

@@ -90,7 +90,7 @@ std::vector<std::string> StepPlan::describe() const {
   add(contacts, contacts_judged ? "contacts: open-close iteration" : "contacts: bonded, never judged");
   add(dilation, "dilation of joints that slide");
   add(linear, "linear: forces by one constant matrix");
-  add(waves.for_blocks, "waves: corrected for the size of blocks");
+  add(waves.for_blocks, "waves: corrected for the size of blocks (stress in blocks at free faces: to first order)");
   add(waves.for_steps, "waves: corrected for the time steps");
   add(finite_kinematics, "geometry: updated, matrix rebuilt every step");
   add(!finite_kinematics, "geometry: as drawn, matrix built once");

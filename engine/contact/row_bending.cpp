@@ -59,7 +59,7 @@ void for_each_axis(const Model& model, int block, const Vec2& normal, const Take
 // alike, as they always are in a triangle: then it is the direction nearest to the normal, and the normal itself where
 // that is one of them, whatever corner the outline begins with.
 Piece fullest_piece(const Model& model, int block, const Vec2& normal) {
-  const Piece along_normal = piece_along(model, block, normal);
+  Piece along_normal = piece_along(model, block, normal);
   if (is_least(along_normal.area_around(), block_of(model, block).moments.area)) return along_normal;
   double least = along_normal.area_around();
   for_each_axis(model, block, normal, [&](const Piece& piece) { least = std::min(least, piece.area_around()); });

@@ -1,6 +1,4 @@
 #include "engine/advice/joint_remarks.h"
-#include "engine/contact/make_contacts.h"
-#include "engine/model/moving_stages.h"
 
 #include <fmt/format.h>
 
@@ -8,6 +6,9 @@
 #include <cmath>
 #include <cstddef>
 #include <set>
+
+#include "engine/contact/make_contacts.h"
+#include "engine/model/moving_stages.h"
 
 namespace dda {
 namespace {

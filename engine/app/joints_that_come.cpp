@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/contact/contact_set.h"
+#include "engine/contact/joint_of.h"
 #include "engine/contact/make_contacts.h"
 #include "engine/contact/projected_stretch.h"
 #include "engine/model/law_name.h"
@@ -19,9 +20,7 @@ std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // Where blocks move a projected joint needs that they can touch nowhere else, as one that is drawn from the start does.
 InterfaceLaw law_there(const Model& model, const Interface& interface, InterfaceLaw drawn, bool moves) {
-  const JointMaterial& joint = model.joints[at(interface.joint)];
-  const bool loose = !joint.bonded && is_dry(joint);
-  if (!moves || !loose || drawn != InterfaceLaw::projected) return drawn;
+  if (!moves || drawn != InterfaceLaw::projected || !is_dry(joint_of(model, interface))) return drawn;
   return touch_there_alone(model, interface) ? drawn : InterfaceLaw::classical;
 }
 

@@ -8,6 +8,7 @@
 #include "engine/contact/block_across.h"
 #include "engine/contact/contact_geometry.h"
 #include "engine/contact/interface_frame.h"
+#include "engine/contact/joint_of.h"
 #include "engine/contact/make_contacts.h"
 #include "engine/contact/make_element.h"
 #include "engine/contact/projected_stretch.h"
@@ -16,8 +17,6 @@ namespace dda {
 namespace {
 
 std::size_t at(int block) { return static_cast<std::size_t>(block); }
-
-std::pair<int, int> pair_of(const Interface& interface) { return std::minmax(interface.block_a, interface.block_b); }
 
 constexpr std::array<Eigen::Index, 2> normal_rows = {0, 2};
 
@@ -44,8 +43,6 @@ void leave_open(const std::array<double, 2>& apart, InterfaceState& own) {
   }
 }
 
-bool is_loose(const JointMaterial& joint) { return is_dry(joint) && !joint.bonded; }
-
 // The gaps of a dry stretch at its two points, where its ends are as wide as the blocks are apart, or seated.
 Vec4 gaps_between(const EndsApart& ends, double lever) {
   const double from = std::max(ends.from.x(), 0.0), to = std::max(ends.to.x(), 0.0);
@@ -71,26 +68,25 @@ void join_projected(const Model& model, const State& state, const ComingBlocks& 
   element.force_at_start *= element.length;
   element.beside_stress_a -= traction_when_joined(element, false);
   element.beside_stress_b -= traction_when_joined(element, true);
-  const bool loose = is_loose(model.joints[at(interface.joint)]);
+  const bool dry = is_dry(joint_of(model, interface));
   const EndsApart ends = ends_apart(model, state, interface);
-  const Vec4 gap = loose ? gaps_between(ends, element.lever) : Vec4::Zero();
+  const Vec4 gap = dry ? gaps_between(ends, element.lever) : Vec4::Zero();
   element.gap_at_start = gap_as_it_lies(model, state, interface, element, own) - gap;
   own.gap = gap;
-  own.broken = {loose, loose};
+  own.broken = {dry, dry};
   answer_gaps(element, own);
   if (ends.from.x() <= 0 && ends.to.x() <= 0) own.status = {ContactStatus::locked, ContactStatus::locked};
 }
 
 void join(const Model& model, const State& state, const ComingBlocks& blocks, const Interface& interface,
           InterfaceElement& element, InterfaceState& own) {
-  const JointMaterial& joint = model.joints[at(interface.joint)];
-  const bool passes_on = element.law == InterfaceLaw::projected || !is_loose(joint);
-  if (!passes_on) element = make_element(model, interface, InterfaceLaw::classical);
+  const bool dry = is_dry(joint_of(model, interface));
+  if (dry && element.law != InterfaceLaw::projected) element = make_element(model, interface, InterfaceLaw::classical);
   set_geometry(model, acting_frame(model, blocks.acting, interface, element.law), element);
   own = {};
   if (has_stress_rows(element)) return join_passing_stress(model, state, interface, element, own);
   if (element.law == InterfaceLaw::projected) return join_projected(model, state, blocks, interface, element, own);
-  if (!is_loose(joint)) return;
+  if (!dry) return;
   const EndsApart ends = ends_apart(model, state, interface);
   leave_open({ends.from.x(), ends.to.x()}, own);
 }
@@ -138,11 +134,11 @@ ContactSet holding_contacts(const Model& model, const State& state, const Contac
   std::set<std::pair<int, int>> apart;
   for (const Interface& each : joined.interfaces) {
     const EndsApart by = ends_apart(model, state, each);
-    if (std::max(by.from.norm(), by.to.norm()) > reach(each.block_a, each.block_b)) apart.insert(pair_of(each));
+    if (std::max(by.from.norm(), by.to.norm()) > reach(each.block_a, each.block_b)) apart.insert(blocks_of(each));
   }
   ContactSet kept;
   for (std::size_t i = 0; i < joined.interfaces.size(); ++i)
-    if (ends[i] == 0 && !apart.contains(pair_of(joined.interfaces[i]))) append(joined, i, kept);
+    if (ends[i] == 0 && !apart.contains(blocks_of(joined.interfaces[i]))) append(joined, i, kept);
   return kept;
 }
 

@@ -24,7 +24,7 @@ InterfaceLaw usable_law(const Model& model, const Interface& interface, bool can
 // springs.
 bool answers_as_broken(const InterfaceElement& element, const JointMaterial& joint) {
   const bool by_ends = element.law == InterfaceLaw::projected || element.law == InterfaceLaw::classical;
-  return by_ends && !joint.bonded && is_dry(joint);
+  return by_ends && is_dry(joint);
 }
 
 }  // namespace

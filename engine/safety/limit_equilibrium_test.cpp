@@ -5,9 +5,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "engine/safety/factor_of_safety.h"
+#include "engine/simulation/lot.h"
 
 namespace dda {
 namespace {
@@ -15,17 +15,6 @@ namespace {
 constexpr double gravity = 9.81;  // m/s2
 constexpr double width = 0.001;   // of the interval that is found, in which the factor is anywhere
 constexpr int blocks = 100;
-
-class Lot {
- public:
-  explicit Lot(unsigned seed) : random_(seed) {}
-  double between(double least, double most) { return std::uniform_real_distribution(least, most)(random_); }
-  double power(double least, double most) { return std::pow(10, between(least, most)); }
-  bool chance(double of_one) { return between(0, 1) < of_one; }
-
- private:
-  std::mt19937 random_;
-};
 
 struct BlockOnAPlane {
   double slope = 0, length = 1, height = 1;  // rad, m: of the plane, of the block along it and out of it
@@ -86,7 +75,7 @@ Model model_of(const BlockOnAPlane& block, Lot& lot) {
 
 template <typename Draw>
 void expect_factors_of_limit_equilibrium(const Draw& draw) {
-  for (unsigned seed = 0; seed < blocks; ++seed) {
+  for (int seed = 0; seed < blocks; ++seed) {
     Lot lot(seed);
     const BlockOnAPlane block = draw(lot);
     const SafetyReport report = factor_of_safety(model_of(block, lot), {.most = 1024, .width = width});

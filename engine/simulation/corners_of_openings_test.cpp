@@ -4,26 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 #include <vector>
 
+#include "engine/simulation/lot.h"
 #include "engine/simulation/projected_models.h"
 
 namespace dda {
 namespace {
 
 constexpr int scenes = 60;
-
-class Lot {
- public:
-  explicit Lot(int seed) : random_(static_cast<std::mt19937::result_type>(seed)) {}
-  double between(double least, double most) { return std::uniform_real_distribution(least, most)(random_); }
-  double power(double least, double most) { return std::pow(10, between(least, most)); }
-  int one_of(int from, int to) { return std::uniform_int_distribution(from, to)(random_); }
-
- private:
-  std::mt19937 random_;
-};
 
 // Blocks in columns and rows under a uniform stress, of which some in the middle are taken out at once.
 class Opening {

@@ -28,6 +28,20 @@ inline void add_sides(int first_stage, Model& model) {
   }
 }
 
+// Rollers of this stiffness (N/m) hold both sides in the first stage.
+inline void hold_sides_first(double stiffness, Model& model) {
+  for (int row = 0; row < rows; ++row)
+    for (const bool right : {false, true})
+      for (const double y : {row + 0.0, row + 1.0}) {
+        PointSupport& roller = model.supports.emplace_back();
+        roller.block = row * columns + (right ? columns - 1 : 0);
+        roller.point = {right ? columns : 0, y};
+        roller.stiffness = stiffness;
+        roller.holds_y = false;
+        roller.last_stage = 0;
+      }
+}
+
 // Blocks of 1 m on a base that jerks along x and y, both sides free; the upper half lighter and softer.
 inline Model shaken_grid(const JointMaterial& joint) {
   Model model;

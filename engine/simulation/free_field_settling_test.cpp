@@ -104,16 +104,7 @@ TEST(FreeFieldSettling, IsFollowedByRestWhereSidesBeginThen) {
     for (unsigned seed = 0; seed < 6; ++seed) {
       Ground ground = level_ground(seed, dry_projected(0.6), 100, kinematics, 1);
       Model& model = ground.model;
-      for (int row = 0; row < rows; ++row)
-        for (const bool right : {false, true})
-          for (const double y : {row + 0.0, row + 1.0}) {
-            PointSupport& roller = model.supports.emplace_back();
-            roller.block = row * columns + (right ? columns - 1 : 0);
-            roller.point = {right ? columns : 0, y};
-            roller.stiffness = 1e5 * model.materials[0].young;
-            roller.holds_y = false;
-            roller.last_stage = 0;
-          }
+      hold_sides_first(1e5 * model.materials[0].young, model);
       model.stages[0].equilibrium = 1e-12;
       model.stages.push_back(stage_of(generalized_alpha_integrator(0.8), 1e-3, 300, kinematics));
       Simulation simulation = simulation_of(model);

@@ -137,16 +137,7 @@ TEST(FreeField, CarriesTheStressOfAWeightThatCompressesTheBlocks) {
 // Rollers hold the sides while the weight settles; the free field brings what is new from then on.
 TEST(FreeField, BeginsWithAStageAndLeavesWhatRollersHeld) {
   Model model = heavy_grid(bond(InterfaceLaw::consistent), 1);
-  for (int row = 0; row < rows; ++row)
-    for (const bool right : {false, true})
-      for (const double y : {row + 0.0, row + 1.0}) {
-        PointSupport& roller = model.supports.emplace_back();
-        roller.block = row * columns + (right ? columns - 1 : 0);
-        roller.point = {right ? columns : 0, y};
-        roller.stiffness = 1e14;
-        roller.holds_y = false;
-        roller.last_stage = 0;
-      }
+  hold_sides_first(1e14, model);
   Simulation simulation = simulation_of(std::move(model));
   expect_rest(simulation, 600);
 }

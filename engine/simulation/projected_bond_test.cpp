@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <random>
 
+#include "engine/simulation/lot.h"
 #include "engine/simulation/projected_models.h"
 
 namespace dda {
@@ -15,17 +15,6 @@ namespace {
 // What a joint of length l carries at a load of 1: normal and shear force, N, and moment, N m, per m of thickness.
 struct Carried {
   double normal = 0, shear = 0, moment = 0;
-};
-
-class Lot {
- public:
-  explicit Lot(int seed) : random_(static_cast<std::mt19937::result_type>(seed)) {}
-  double between(double least, double most) { return std::uniform_real_distribution(least, most)(random_); }
-  double power(double least, double most) { return std::pow(10, between(least, most)); }
-  bool is_one_in(int n) { return std::uniform_int_distribution(1, n)(random_) == 1; }
-
- private:
-  std::mt19937 random_;
 };
 
 struct Scene {

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
+#include "engine/simulation/lot.h"
 #include "engine/simulation/projected_models.h"
 
 namespace dda {
@@ -14,16 +14,6 @@ namespace {
 constexpr double gravity = 9.81;  // m/s2
 constexpr int scenes = 60;
 constexpr double balance = 1e-6;  // of the static stage
-
-class Lot {
- public:
-  explicit Lot(int seed) : random_(static_cast<std::mt19937::result_type>(seed)) {}
-  double between(double least, double most) { return std::uniform_real_distribution(least, most)(random_); }
-  double power(double least, double most) { return std::pow(10, between(least, most)); }
-
- private:
-  std::mt19937 random_;
-};
 
 // A block stands at a distance from the wall of its bench and is drawn towards it, by so much of its weight that it
 // turns about the edge of its foot until its top leans there.

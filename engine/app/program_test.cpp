@@ -2,6 +2,7 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <spawn.h>
+#include <stdlib.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -18,7 +19,9 @@ namespace {
 
 class Program : public FolderTest {
  protected:
-  pid_t start(std::vector<std::string> arguments) {
+  pid_t start(const std::vector<std::string>& arguments) { return start(arguments, path("stderr")); }
+
+  pid_t start(std::vector<std::string> arguments, const std::string& errors) {
     std::string program = DDA_PROGRAM;
     std::vector<char*> argv = {program.data()};
     for (std::string& argument : arguments) argv.push_back(argument.data());
@@ -26,7 +29,6 @@ class Program : public FolderTest {
     posix_spawn_file_actions_t files;
     posix_spawn_file_actions_init(&files);
     const std::string out = path("stdout");
-    const std::string errors = path("stderr");
     posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     posix_spawn_file_actions_addopen(&files, STDERR_FILENO, errors.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
     pid_t process = 0;
@@ -44,8 +46,9 @@ class Program : public FolderTest {
   }
 
   // Sends `number` once the run is under way: rows are being written, and there is a checkpoint.
-  int interrupt(const std::vector<std::string>& arguments, int number) {
-    const pid_t process = start(arguments);
+  int interrupt(const std::vector<std::string>& arguments, int number) { return interrupt(start(arguments), number); }
+
+  int interrupt(pid_t process, int number) {
     const auto under_way = [&] { return exists("out/histories.csv.tmp") && exists("out/checkpoint.bin"); };
     for (int i = 0; i < 10000 && !under_way(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
@@ -95,6 +98,22 @@ TEST_F(Program, StopsInOrderAndGoesOnToTheSameResults) {
   ASSERT_EQ(interrupt(resume, SIGTERM), 128 + SIGTERM) << text("stderr");
   ASSERT_EQ(end_of(start(resume)), 0) << text("stderr");
   expect_results_as_of_one_run();
+}
+
+TEST_F(Program, SaysOnATerminalThatItHasHeard) {
+  const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
+  ASSERT_GE(terminal, 0);
+  ASSERT_EQ(grantpt(terminal), 0);
+  ASSERT_EQ(unlockpt(terminal), 0);
+  write("scene.json", long_bar);
+  // Held open, or what the run has written would go with it.
+  const int held = open(ptsname(terminal), O_RDWR | O_NOCTTY);
+  ASSERT_EQ(interrupt(start(run_into("out"), ptsname(terminal)), SIGINT), 128 + SIGINT);
+  std::string said(4096, '\0');
+  said.resize(static_cast<std::size_t>(std::max<ssize_t>(read(terminal, said.data(), said.size()), 0)));
+  EXPECT_NE(said.find("stops at the end of this step"), std::string::npos) << said;
+  close(held);
+  close(terminal);
 }
 
 TEST_F(Program, GoesOnAfterBeingKilled) {

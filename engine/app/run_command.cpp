@@ -76,7 +76,7 @@ class Run {
   }
 
   int run(std::ostream& out, std::ostream& errors) {
-    const StopSignal stop_signal;
+    const StopSignal stop_signal(!options_.quiet && terminal() != nullptr);
     prepare_folder();
     RunFiles files(simulation_, probes_, file_options(), resumed_);
     simulation_.watch().at_end = [&] { files.at_end_of_stage(); };

@@ -3,10 +3,11 @@
 
 namespace dda {
 
-// While it lives, the first SIGINT or SIGTERM is only noted; a second one ends the program at once. One at a time.
+// While it lives, the first SIGINT or SIGTERM is noted, and a second one ends the program at once. One at a time.
 class StopSignal {
  public:
-  StopSignal();
+  // `says_so`: the signal is answered with a line on standard error.
+  explicit StopSignal(bool says_so);
   ~StopSignal();
   StopSignal(const StopSignal&) = delete;
   StopSignal& operator=(const StopSignal&) = delete;

@@ -55,7 +55,7 @@ void lay_on(ContactPiece piece, const InterfaceSprings& springs, const EndStreng
     return;
   }
   if (trial.active(n) == 0 || piece != ContactPiece::stuck || strength.dilation > 0) {
-    trial.dilation[static_cast<std::size_t>(end)] = 0;
+    trial.dilation[static_cast<std::size_t>(end)] = -trial.owed[static_cast<std::size_t>(end)];
     const end_answer::Answer pressed = pressed_on_piece(springs, trial, end);
     trial.force(n) = pressed.force;
     trial.active(n) = pressed.slope;

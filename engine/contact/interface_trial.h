@@ -47,11 +47,14 @@ struct InterfaceTrial {
   std::array<double, 2> torn{0, 0};       // of the length, before the step
   std::array<double, 2> slip{0, 0};       // m, before the step
   std::array<double, 2> dilation{0, 0};   // m, in the step: the normal gap closes at it
+  std::array<double, 2> owed{0, 0};       // m, by which it has come down in steps before and is lowered in this one
   std::array<double, 2> hardening{0, 0};  // N/m per m of thickness, for slip away from the start
   std::array<double, 2> reference{0, 0};  // m, slip in the step at which capacities hold
   std::array<double, 2> rise{0, 0};       // m, by which the dilation changed last
   std::array<double, 2> pressed{0, 0};    // N per m of thickness, normal force before that
 
+  // Whether the slip of this step has moved the end up or down.
+  [[nodiscard]] bool has_ridden(std::size_t end) const { return dilation[end] != -owed[end]; }
   // Normal gap above what the end has ridden up.
   [[nodiscard]] double normal_gap(int end) const { return gap(2 * end) - dilation[static_cast<std::size_t>(end)]; }
 };

@@ -139,6 +139,10 @@ void expect_full_stiffness(const InterfaceSprings& springs, const EndStrength& s
   }
 }
 
+void lower_by_what_is_owed(InterfaceTrial& trial) {
+  for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) trial.dilation[end] = -trial.owed[end];
+}
+
 // Ends that are open do not rise in the step, nor does any whose friction is given.
 void prepare_rise(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial) {
   for (int end = 0; end < ends_of(springs); ++end) {
@@ -201,7 +205,11 @@ InterfaceTrial start_trial(const InterfaceSprings& springs, const EndStrength& s
   for (int end = 0; end < ends_of(springs); ++end)
     if (rule.conserves_energy && trial.broken[static_cast<std::size_t>(end)])
       trial.before.segment<2>(normal_row(end)) = start.force.segment<2>(normal_row(end));
-  if (strength.dilation > 0) prepare_rise(springs, strength, trial);
+  if (strength.dilation > 0) {
+    trial.owed = height_owed(springs, strength, start);
+    lower_by_what_is_owed(trial);
+    prepare_rise(springs, strength, trial);
+  }
   follow_pressure(springs, strength, trial);  // at the gap that the step begins with, what is foreseen included
   keep_sliding(springs, start, trial);
   if (strength.dilation > 0) keep_riding(springs, strength, start, trial);
@@ -274,7 +282,7 @@ double update_dilation(const InterfaceSprings& springs, const EndStrength& stren
     const double seen = trial.rise[e] == 0 ? full : std::clamp((trial.pressed[e] - force) / trial.rise[e], 0.0, full);
     const bool has_slipped = trial.rule.conserves_energy ? slips(springs, trial, end) : slides(trial, end);
     const double slip = has_slipped ? slip_in_step(springs, trial, end) : 0;
-    const double dilation = strength.lift(trial.slip[e] + slip) - strength.lift(trial.slip[e]);
+    const double dilation = rise_in_step(springs, strength, trial, end, slip);
     const bool may_yield = slip != 0 || trial.rule.conserves_energy;  // the mean, where the spring has not slipped
     trial.reference[e] = may_yield ? yielded(springs, trial, end) : 0;
     trial.hardening[e] = hardening_by(seen, strength, trial, e, trial.slip[e] + slip);
@@ -288,7 +296,8 @@ double update_dilation(const InterfaceSprings& springs, const EndStrength& stren
 
 void forget_rise(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial) {
   if (strength.dilation == 0) return;
-  for (std::array<double, 2>* each : {&trial.dilation, &trial.reference, &trial.rise, &trial.pressed}) *each = {0, 0};
+  for (std::array<double, 2>* each : {&trial.reference, &trial.rise, &trial.pressed}) *each = {0, 0};
+  lower_by_what_is_owed(trial);
   trial.coupling = 0;
   prepare_rise(springs, strength, trial);
 }
@@ -376,7 +385,7 @@ InterfaceState finish_trial(const InterfaceSprings& springs, const InterfaceStat
       state.status[e] = ContactStatus::open;
       state.force.segment<2>(n).setZero();
       // While it was still closed.
-      if (trial.dilation[e] != 0) state.slip[e] += slip_in_step(springs, trial, end);
+      if (trial.has_ridden(e)) state.slip[e] += slip_in_step(springs, trial, end);
       state.gap(n + 1) = 0;  // a joint that closes again starts without shear
       continue;
     }

@@ -36,11 +36,11 @@ struct RisingEnd {
   double friction, cohesion;
   double tangent, reach;  // of the dilation angle; m, slip beyond which it rises no further
   double before;          // m, slip before the step: negative on the way back
+  double owed;            // m, from steps before
+  bool is_late;           // it comes down by this step's way back in the next
   std::optional<MeanPress> mean;
 
-  [[nodiscard]] double rise(double slip) const {
-    return tangent * (std::min(std::abs(before + slip), reach) - std::min(std::abs(before), reach));
-  }
+  [[nodiscard]] double rise(double slip) const { return tangent * (ridden(before + slip) - ridden(before)) - owed; }
   [[nodiscard]] Press press(double slip) const {
     if (mean) return mean->at(normal_gap - rise(slip));
     return {normal_stiffness * std::max(0.0, rise(slip) - normal_gap), normal_stiffness};
@@ -49,11 +49,15 @@ struct RisingEnd {
   [[nodiscard]] double capacity(double pressure) const { return pressure > 0 ? cohesion + friction * pressure : 0; }
   // Shear of the spring beyond what the end carries: 0 at the slip sought.
   [[nodiscard]] double beyond(double slip) const { return shear_stiffness * (way - slip) - capacity(pressure(slip)); }
+  // The slip that counts for the rise, where the way back does not.
+  [[nodiscard]] double ridden(double total) const {
+    return std::min(is_late ? std::max(total, 0.0) : std::abs(total), reach);
+  }
   // Rise by slip from there on.
   [[nodiscard]] double slope_after(double slip) const {
     const double total = before + slip;
     if (total >= 0) return total < reach ? tangent : 0;
-    return total >= -reach ? -tangent : 0;
+    return total >= -reach && !is_late ? -tangent : 0;
   }
   // Slope of the shear force over the slip with its sign turned: above 0 where more slip is resisted.
   [[nodiscard]] double resistance(double slope, double by_normal_gap) const {
@@ -88,6 +92,12 @@ double side_of(const InterfaceSprings& springs, const InterfaceTrial& trial, int
   return std::copysign(1, together(springs, trial, row, trial.start(row)).gap);
 }
 
+// Whether an end whose slip brings it down has less than `least_share` of its shear spring to resist with.
+bool comes_down_late(const InterfaceSprings& springs, const EndStrength& strength, bool residual, int end) {
+  const double let_go = strength.friction_now(residual) * strength.dilation * springs.stiffness(2 * end);
+  return let_go > (1 - least_share) * springs.stiffness(2 * end + 1);
+}
+
 RisingEnd end_of(const InterfaceSprings& springs, const EndStrength& strength, const InterfaceTrial& trial, int end,
                  double side) {
   const auto e = static_cast<std::size_t>(end);
@@ -108,6 +118,8 @@ RisingEnd end_of(const InterfaceSprings& springs, const EndStrength& strength, c
           strength.dilation,
           strength.dilation_slip,
           side * trial.slip[e],
+          trial.owed[e],
+          comes_down_late(springs, strength, residual, end),
           in_mean ? std::optional(MeanPress{trial.rule, end_answer::row_of(springs, trial, n), trial.before(n)})
                   : std::nullopt};
 }
@@ -163,7 +175,7 @@ double slip_of(const RisingEnd& end) {
 void answer_open(int end, InterfaceTrial& trial) {
   trial.force.segment<2>(2 * end).setZero();
   trial.active.segment<2>(2 * end).setZero();
-  trial.dilation[static_cast<std::size_t>(end)] = 0;
+  trial.dilation[static_cast<std::size_t>(end)] = -trial.owed[static_cast<std::size_t>(end)];
   trial.capacity[static_cast<std::size_t>(end)] = 0;
 }
 
@@ -232,6 +244,27 @@ bool rides_up(const InterfaceSprings& springs, const EndStrength& strength, cons
   return trial.broken[e] && !trial.closes[e] && springs.law == InterfaceLaw::classical;
 }
 
+std::array<double, 2> height_owed(const InterfaceSprings& springs, const EndStrength& strength,
+                                  const InterfaceState& state) {
+  std::array<double, 2> owed{0, 0};
+  for (int end = 0; end < ends_of(springs); ++end) {
+    const auto e = static_cast<std::size_t>(end);
+    if (state.broken[e] && comes_down_late(springs, strength, state.residual[e], end))
+      owed[e] = std::max(0.0, state.dilation[e] - strength.lift(state.slip[e]));
+  }
+  return owed;
+}
+
+double rise_in_step(const InterfaceSprings& springs, const EndStrength& strength, const InterfaceTrial& trial, int end,
+                    double slip) {
+  const auto e = static_cast<std::size_t>(end);
+  const double before = trial.slip[e], after = before + slip;
+  const double all = strength.lift(after) - strength.lift(before);
+  if (!comes_down_late(springs, strength, trial.residual[e], end)) return all;
+  const double out = before * after < 0 ? strength.lift(after) : std::max(0.0, all);
+  return out - trial.owed[e];
+}
+
 void respond_riding(const InterfaceSprings& springs, const EndStrength& strength, int end, InterfaceTrial& trial) {
   const auto e = static_cast<std::size_t>(end);
   const double side = side_of(springs, trial, end);
@@ -240,7 +273,7 @@ void respond_riding(const InterfaceSprings& springs, const EndStrength& strength
   const double pressure = at.pressure(0);
   const double stuck = at.shear_stiffness * at.way;
   if (pressure > 0 && stuck < (1 - end_answer::at_capacity) * at.capacity(pressure)) {
-    trial.dilation[e] = 0;
+    trial.dilation[e] = at.rise(0);
     trial.capacity[e] = at.capacity(pressure);
     trial.force.segment<2>(2 * end) = Vec2(-pressure, side * stuck);
     trial.active(2 * end) = at.normal_stiffness / springs.stiffness(2 * end);

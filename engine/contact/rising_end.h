@@ -6,8 +6,10 @@
 //   p = k_n max(0, D(s) - g_n)     shear = k_s (|g_t| - s) = c + mu p     s >= 0
 // which on the way out, where D grows, has one solution for any gaps, and is continuous in them. On the way back to
 // where the end began D falls, and where mu tan(psi) k_n > k_s the pressure lets go of the shear faster than the
-// spring: then the first solution counts. Beside dashpots k_n and k_s are those of both together, and gaps count from
-// where those would rest.
+// spring: at given gaps there is then no solution on the way back, or two. So from three quarters of that on an end
+// that slides back keeps its height for the step and comes down by it in the next (`owed`): what it rests on follows,
+// and there is one answer again. Beside dashpots k_n and k_s are those of both together, and gaps count from where
+// those would rest.
 //
 // Under integrators that conserve energy p is the mean pressure of the step, whose work is the change of the springs'
 // energy (interface_trial.h), at the normal gap less D; the spring ends the step with what is left of its shear by
@@ -21,6 +23,7 @@
 // much was in contact, and the same gaps would have two answers, with and without the rise.
 #pragma once
 
+#include <array>
 #include <cstddef>
 
 #include "engine/contact/interface_element.h"
@@ -34,6 +37,14 @@ namespace dda {
 // where capacities are given.
 [[nodiscard]] bool rides_up(const InterfaceSprings& springs, const EndStrength& strength, const InterfaceTrial& trial,
                             int end);
+
+// By how much ends have come down that have not been lowered yet, m.
+[[nodiscard]] std::array<double, 2> height_owed(const InterfaceSprings& springs, const EndStrength& strength,
+                                                const InterfaceState& state);
+
+// What an end that slips by `slip` (m) in the step rises by in it, m, with what it owed.
+[[nodiscard]] double rise_in_step(const InterfaceSprings& springs, const EndStrength& strength,
+                                  const InterfaceTrial& trial, int end, double slip);
 
 // Forces, dilation, capacity and active rows of such an end at the trial's gap. The rows are those of a joint that
 // slips as steeply as it rises (associated flow), which is symmetric and leaves the way up its slope free. Of a lone

@@ -279,7 +279,7 @@ void FrictionPasses::list_riding(const Iterate& at, const LiveContact& contact, 
   for (int end = 0; end < ends_of(contact.springs); ++end) {
     const auto e = static_cast<std::size_t>(end);
     const ContactPiece piece = contact.pieces[e];
-    const bool rises_stuck = piece == ContactPiece::stuck && trial.dilation[e] != 0;  // where means conserve energy
+    const bool rises_stuck = piece == ContactPiece::stuck && trial.has_ridden(e);  // where means conserve energy
     if ((!slides(piece) && !rises_stuck) || !rides_up(contact.springs, strength, trial, end)) continue;
     riding.slopes[e] = slopes_beyond_rows(contact.springs, strength, trial, end, direction_of(piece));
     shear_by_gap.row(end).setZero();

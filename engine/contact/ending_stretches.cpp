@@ -47,14 +47,6 @@ bool EndingStretches::touch_there_alone(const Model& model, const Interface& int
   return both_convex || dda::touch_there_alone(model, interface);
 }
 
-// A stretch of the projected law that is torn or yields, which leaves it the strength that it had until it slides or
-// opens as a whole.
-bool EndingStretches::keeps_strength(const Model& model, const ContactSet& contacts, std::size_t stretch) const {
-  const InterfaceState& own = contacts.states[stretch];
-  return contacts.elements.own()[stretch].law == InterfaceLaw::projected && own.broken[0] && own.broken[1] &&
-         !own.residual[0] && !is_dry(joint_of(model, contacts.interfaces[stretch]));
-}
-
 EndingStretches::Hold EndingStretches::hold_of(const Model& model, const State& state, const ContactSet& contacts,
                                                std::size_t stretch, bool dry_ones) const {
   const Interface& interface = contacts.interfaces[stretch];
@@ -66,7 +58,7 @@ EndingStretches::Hold EndingStretches::hold_of(const Model& model, const State& 
   const bool apart = has_parted(model, state, interface);
   const bool alone = touch_there_alone(model, interface);
   own.closed = alone && !apart;
-  own.keeps = !alone && !apart && keeps_strength(model, contacts, stretch);
+  own.keeps = !alone && !apart;
   own.parted = !own.closed && !own.keeps;
   return own;
 }
@@ -98,7 +90,7 @@ std::vector<HeldFace> EndingStretches::held_faces(const Model& model, const Cont
     const auto& broken = contacts.states[i].broken;
     if (!broken[0] || !broken[1])
       firm.add(blocks_of(interface));
-    else if (keeps_strength(model, contacts, i) && !touch_there_alone(model, interface))
+    else if (contacts.elements.own()[i].law == InterfaceLaw::projected && !touch_there_alone(model, interface))
       faces.push_back(held_face(model, interface));
   }
   if (faces.empty()) return faces;

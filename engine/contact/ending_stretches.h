@@ -17,11 +17,12 @@ class EndingStretches {
 
   // One entry for each of the first `stretches` contacts, 1 where it ends: dry ones and lone vertices at the start
   // (`dry_ones`), later those broken at both ends; projected ones when they have parted. The stretches of a pair end
-  // together, since no vertex contacts are looked for between blocks that have one; but for those that keep a strength.
+  // together, since no vertex contacts are looked for between blocks that have one; but for those of blocks that can
+  // touch elsewhere, beside whose faces contacts are looked for.
   [[nodiscard]] std::vector<char> find(const Model& model, const State& state, const ContactSet& contacts,
                                        std::size_t stretches, bool dry_ones) const;
 
-  // The faces of stretches that keep a strength by themselves, between whose blocks other contacts are looked for.
+  // The faces of stretches that stay by themselves, between whose blocks other contacts are looked for.
   [[nodiscard]] std::vector<HeldFace> held_faces(const Model& model, const ContactSet& contacts,
                                                  std::size_t stretches) const;
 
@@ -30,14 +31,13 @@ class EndingStretches {
   struct Hold {
     bool firm = false;    // a bond, not broken at both ends
     bool closed = false;  // of the projected law, and its blocks have not parted
-    bool keeps = false;   // the same, but the blocks can touch elsewhere; it has strength left, and stays by itself
+    bool keeps = false;   // the same, but the blocks can touch elsewhere: it stays by itself
     bool parted = false;
   };
 
   [[nodiscard]] Hold hold_of(const Model& model, const State& state, const ContactSet& contacts, std::size_t stretch,
                              bool dry_ones) const;
   [[nodiscard]] bool touch_there_alone(const Model& model, const Interface& interface) const;
-  [[nodiscard]] bool keeps_strength(const Model& model, const ContactSet& contacts, std::size_t stretch) const;
   [[nodiscard]] static std::vector<char> decide(const ContactSet& contacts, const std::vector<Hold>& holds);
 
   std::vector<char> is_convex_;  // blocks, as drawn

@@ -1,8 +1,8 @@
 // Faces of two blocks that a stretch holds together though the blocks can touch elsewhere as well.
 //
-// A bond that is torn at an edge stays a stretch, with the strength that it keeps (bond_strength.h). Blocks whose
-// outlines point inwards, as a bench and the wall behind it, may meet beside it for all that, and contacts of their
-// vertices are looked for there. Those of the stretch's own faces are none: it stands for them.
+// A joint that is closed, or torn at an edge, stays a stretch. Blocks whose outlines point inwards, as a bench and the
+// wall behind it, may meet beside it for all that, and contacts of their vertices are looked for there. Those of the
+// stretch's own faces are none: it stands for them.
 #pragma once
 
 #include <utility>

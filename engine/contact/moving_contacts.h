@@ -1,7 +1,7 @@
 // Keeps a ContactSet in step with blocks that move: dry contacts are vertex-edge contacts found anew as geometry
 // changes, with their history; joints with strength stay the stretches they were found as until both ends of all
-// between their two blocks are broken, and those of the projected law until their blocks have parted. Such as keep a
-// strength stay beside vertex contacts of the same blocks (held_faces.h).
+// between their two blocks are broken, and those of the projected law until their blocks have parted. Where blocks can
+// touch elsewhere these stay beside vertex contacts of the same blocks (held_faces.h).
 #pragma once
 
 #include <cstddef>

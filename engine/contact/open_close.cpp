@@ -139,14 +139,11 @@ void expect_full_stiffness(const InterfaceSprings& springs, const EndStrength& s
   }
 }
 
-void lower_by_what_is_owed(InterfaceTrial& trial) {
-  for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) trial.dilation[end] = -trial.owed[end];
-}
-
-// Ends that are open do not rise in the step, nor does any whose friction is given.
+// Ends that are open, or whose friction is given, do not rise in the step; all come down by what they owe.
 void prepare_rise(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial) {
   for (int end = 0; end < ends_of(springs); ++end) {
     const auto e = static_cast<std::size_t>(end);
+    trial.dilation[e] = -trial.owed[e];
     trial.closes[e] = trial.rule.capacity_is_given || (trial.broken[e] && trial.start(normal_row(end)) > 0);
   }
   if (!trial.rule.sticks) expect_full_stiffness(springs, strength, trial);
@@ -205,11 +202,8 @@ InterfaceTrial start_trial(const InterfaceSprings& springs, const EndStrength& s
   for (int end = 0; end < ends_of(springs); ++end)
     if (rule.conserves_energy && trial.broken[static_cast<std::size_t>(end)])
       trial.before.segment<2>(normal_row(end)) = start.force.segment<2>(normal_row(end));
-  if (strength.dilation > 0) {
-    trial.owed = height_owed(springs, strength, start);
-    lower_by_what_is_owed(trial);
-    prepare_rise(springs, strength, trial);
-  }
+  if (strength.dilation > 0) trial.owed = height_owed(springs, strength, start);
+  if (strength.dilation > 0) prepare_rise(springs, strength, trial);
   follow_pressure(springs, strength, trial);  // at the gap that the step begins with, what is foreseen included
   keep_sliding(springs, start, trial);
   if (strength.dilation > 0) keep_riding(springs, strength, start, trial);
@@ -297,7 +291,6 @@ double update_dilation(const InterfaceSprings& springs, const EndStrength& stren
 void forget_rise(const InterfaceSprings& springs, const EndStrength& strength, InterfaceTrial& trial) {
   if (strength.dilation == 0) return;
   for (std::array<double, 2>* each : {&trial.reference, &trial.rise, &trial.pressed}) *each = {0, 0};
-  lower_by_what_is_owed(trial);
   trial.coupling = 0;
   prepare_rise(springs, strength, trial);
 }

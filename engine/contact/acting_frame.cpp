@@ -21,8 +21,8 @@ struct PointAndNormal {
 };
 
 Vec2 vertex_in(const Model& model, const State& acting, const Outlines& outlines, int block, int vertex) {
-  return current_position(model, acting, block,
-                          model.blocks[at(block)].moments.centroid + outlines.reference[at(vertex)]);
+  return local_position(model, acting, block,
+                        model.blocks[at(block)].moments.centroid + outlines.reference[at(vertex)]);
 }
 
 Vec2 normal_in(const State& acting, const Outlines& outlines, int block, int edge) {
@@ -67,8 +67,8 @@ InterfaceFrame acting_frame(const Model& model, const State& acting, const Outli
           point,
           point,
           normal,
-          current_centroid(model, acting, contact.edge_block),
-          current_centroid(model, acting, contact.vertex_block)};
+          local_centroid(model, acting, contact.edge_block),
+          local_centroid(model, acting, contact.vertex_block)};
 }
 
 }  // namespace dda

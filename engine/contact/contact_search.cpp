@@ -141,7 +141,7 @@ bool ContactSearch::widen(const Model& model, const State& state, const Eigen::V
   std::vector<double> motion(sizes_.size());
   for (int i = 0; i < outlines_.blocks(); ++i) {
     if (is_absent(at(i))) continue;
-    blocks[at(i)] = {outlines_.boxes[at(i)], current_centroid(model, state, i), d.segment<6>(6 * i)};
+    blocks[at(i)] = {outlines_.boxes[at(i)], local_centroid(model, state, i), d.segment<6>(6 * i)};
     motion[at(i)] = largest_displacement(blocks[at(i)]);
   }
   bool wider = false;

@@ -215,7 +215,7 @@ struct MovingPair {
     return false;
   }
   [[nodiscard]] bool closes(const VertexContact& contact, const Outlines& outlines) const {
-    const Vec2& vertex = outlines.current[static_cast<std::size_t>(contact.vertex)];
+    const Vec2 vertex = model.origin + outlines.current[static_cast<std::size_t>(contact.vertex)];
     const Vec2 opening = displacement(contact.vertex_block, vertex) - displacement(contact.edge_block, vertex);
     return contact.gap + contact.normal.dot(opening) < 0;
   }

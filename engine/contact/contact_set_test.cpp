@@ -38,13 +38,13 @@ TEST(CurrentFrame, FollowsTheBlocks) {
     const MovedPair moved(deformation, shift);
     const Interface interface = find_interfaces(moved.model).at(0);
     const InterfaceFrame frame = current_frame(moved.model, moved.state, interface);
-    const Vec2 from = shift + deformation * interface.from;
-    const Vec2 to = shift + deformation * interface.to;
+    const Vec2 from = local_place(moved.model, shift + deformation * interface.from);
+    const Vec2 to = local_place(moved.model, shift + deformation * interface.to);
     EXPECT_LT((frame.from_a - from).norm() + (frame.from_b - from).norm(), round_off);
     EXPECT_LT((frame.to_a - to).norm() + (frame.to_b - to).norm(), round_off);
     const Vec2 along = (to - from).normalized();
     EXPECT_LT((frame.normal - Vec2(along.y(), -along.x())).norm(), round_off);  // block a on the left
-    EXPECT_LT((frame.centroid_b - current_centroid(moved.model, moved.state, 1)).norm(), round_off);
+    EXPECT_LT((frame.centroid_b - local_centroid(moved.model, moved.state, 1)).norm(), round_off);
   }
 }
 

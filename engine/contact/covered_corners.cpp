@@ -353,7 +353,7 @@ std::vector<std::pair<int, int>> pressed_into_each_other(const ContactSearch& se
                                                          const JumpAt& jump_at) {
   const Outlines& outlines = search.outlines();
   const auto corner_of = [&](int block, int corner) {
-    return MovedCorner(outlines, block, corner, current_centroid(model, state, block), d);
+    return MovedCorner(outlines, block, corner, local_centroid(model, state, block), d);
   };
   std::vector<std::pair<int, int>> pairs;
   for (const VertexContact& contact : covered) {

@@ -110,7 +110,8 @@ struct InterfaceMatrices {
   Mat6 aa, bb, ba;
 };
 
-// The frame of an interface: its ends as seen by each block, its normal, and where the blocks' centroids are.
+// The frame of an interface: its ends as seen by each block, its normal, and where the blocks' centroids are. Places
+// are local where blocks have moved, and those of the drawing in the reference geometry.
 struct InterfaceFrame {
   Vec2 from_a, to_a, from_b, to_b;
   Vec2 normal;

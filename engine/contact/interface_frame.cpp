@@ -6,7 +6,7 @@ namespace dda {
 namespace {
 
 Vec2 moved(const Model& model, const State& state, int block, const Vec2& reference) {
-  return current_position(model, state, block, reference);
+  return local_position(model, state, block, reference);
 }
 
 Vec2 current_normal(const State& state, const Interface& interface) {
@@ -31,8 +31,8 @@ InterfaceFrame current_frame(const Model& model, const State& state, const Inter
           moved(model, state, interface.block_b, interface.from),
           moved(model, state, interface.block_b, interface.to),
           current_normal(state, interface),
-          current_centroid(model, state, interface.block_a),
-          current_centroid(model, state, interface.block_b)};
+          local_centroid(model, state, interface.block_a),
+          local_centroid(model, state, interface.block_b)};
 }
 
 InterfaceFrame acting_frame(const Model& model, const State& state, const Interface& interface, InterfaceLaw law) {

@@ -8,7 +8,8 @@
 
 namespace dda {
 
-// Where an interface is now: its ends follow their blocks, its normal turns with the mean of the two edges.
+// Where an interface is now, in local places: its ends follow their blocks, its normal turns with the mean of the two
+// edges.
 InterfaceFrame current_frame(const Model& model, const State& state, const Interface& interface);
 
 // How far block b has gone from block a at the ends of a stretch: along its normal and its tangent, m.

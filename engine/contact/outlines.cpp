@@ -41,7 +41,7 @@ Outlines make_outlines(const Model& model, const State& state) {
 
 void update_outlines(const Model& model, const State& state, Outlines& outlines) {
   parallel_for_each(outlines.boxes.size(), outlines_worth_sharing, [&](std::size_t block) {
-    const Vec2 centroid = current_centroid(model, state, static_cast<int>(block));
+    const Vec2 centroid = local_centroid(model, state, static_cast<int>(block));
     Box box;
     for (int i = outlines.starts[block]; i < outlines.starts[block + 1]; ++i) {
       const auto vertex = static_cast<std::size_t>(i);
@@ -61,7 +61,7 @@ void foresee_motion(const Model& model, const State& state, double time, Outline
   }
   parallel_for_each(outlines.boxes.size(), outlines_worth_sharing, [&](std::size_t block) {
     const Vec6 increments = time * state.velocity[block];
-    const Vec2 centroid = current_centroid(model, state, static_cast<int>(block));
+    const Vec2 centroid = local_centroid(model, state, static_cast<int>(block));
     for (int i = outlines.starts[block]; i < outlines.starts[block + 1]; ++i) {
       const auto vertex = static_cast<std::size_t>(i);
       outlines.coming[vertex] = displacement_of(increments, outlines.current[vertex] - centroid);

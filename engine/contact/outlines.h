@@ -16,7 +16,7 @@ struct Outlines {
   std::vector<int> starts;      // block -> first of its vertices; one more entry than blocks
   std::vector<Vec2> reference;  // offsets from the block's reference centroid, m
   std::vector<int> next, previous;
-  std::vector<Vec2> current;   // positions, m
+  std::vector<Vec2> current;   // local positions (engine/model/state.h), m
   std::vector<double> length;  // of the edges, m
   std::vector<Vec2> coming;    // displacements foreseen for the step, m; zero where none are
   std::vector<Box> boxes;      // of each block's current outline

@@ -13,7 +13,8 @@ namespace dda {
 // the gaps of a step are.
 Vec2 displacement_of(const Vec6& increments, const Vec2& arm);
 
-// A block as far as its motion is concerned: its box and centroid at the start of a step, and its increments.
+// A block as far as its motion is concerned: its box and centroid at the start of a step, in local places, and its
+// increments.
 struct MovingBox {
   Box box;
   Vec2 centroid;

@@ -20,6 +20,13 @@ std::vector<Box> boxes_of(const std::vector<JointLine>& lines) {
   return boxes;
 }
 
+std::vector<Box> drawn_boxes(const Model& model) {
+  std::vector<Box> boxes;
+  boxes.reserve(model.blocks.size());
+  for (const Block& block : model.blocks) boxes.push_back(bounding_box(block.shape));
+  return boxes;
+}
+
 bool lies_on(const Segment& stretch, const Segment& line, double tolerance) {
   const auto common = collinear_overlap(stretch, line, tolerance);
   return common && (common->second - common->first).norm() > (stretch.end - stretch.start).norm() / 2;
@@ -67,7 +74,7 @@ int JointLines::joint_of_point(int block_a, int block_b, const Vec2& point, cons
 SurfaceJoints::SurfaceJoints(const Model& model, const Outlines& outlines) {
   if (model.joint_lines.empty()) return;
   const double tolerance = point_tolerance(model);
-  const BoxIndex blocks(outlines.boxes);
+  const BoxIndex blocks(drawn_boxes(model));
   for (const JointLine& line : model.joint_lines) {
     for (const int block : blocks.overlapping(edge_box(segment_of(line), tolerance))) {
       for (int edge = outlines.starts[at(block)]; edge < outlines.starts[at(block) + 1]; ++edge) {

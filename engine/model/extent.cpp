@@ -1,6 +1,7 @@
 #include "engine/model/extent.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -71,6 +72,14 @@ double diameter(const Model& model) {
   for (const Vec2& one : hull)
     for (const Vec2& other : hull) largest = std::max(largest, (one - other).norm());
   return largest;
+}
+
+Vec2 local_origin(const Model& model, double diameter) {
+  if (diameter == 0) return Vec2::Zero();
+  const double unit = std::exp2(std::ilogb(diameter) + 3);
+  const Box box = bounding_box(model);
+  const Vec2 middle = (box.lower + box.upper) / 2;
+  return unit * Vec2(std::round(middle.x() / unit), std::round(middle.y() / unit));
 }
 
 }  // namespace dda

@@ -19,6 +19,11 @@ inline Box bounding_box(const Model& model) {
 // m, the largest distance between two corners of blocks as drawn: the same whichever way the scene is turned.
 double diameter(const Model& model);
 
+// From where local places of the blocks count: the middle of that box, rounded to a power of two that is four to eight
+// times their `diameter` (m). So a scene has as many digits wherever it lies, one that lies near the origin of its
+// drawing keeps that, and differences of coordinates from here are exact where the scene lies further away.
+Vec2 local_origin(const Model& model, double diameter);
+
 // m, the diagonal of that box.
 inline double extent(const Model& model) {
   const Box box = bounding_box(model);

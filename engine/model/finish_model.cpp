@@ -25,7 +25,9 @@ void fill_geometry(Model& model) {
     block.shape = normalized(std::move(block.shape));
     block.moments = area_moments(block.shape);
   }
-  model.length_tolerance = tolerance_of_extent * diameter(model);
+  const double size = diameter(model);
+  model.length_tolerance = tolerance_of_extent * size;
+  model.origin = local_origin(model, size);
 }
 
 // Weight of the heaviest rock above, the largest initial stress and the largest traction, together.

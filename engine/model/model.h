@@ -145,7 +145,13 @@ struct Expected {
   double pressure = 0;  // Pa: most that weight, initial stress and loads press joints with; set by finish_model
 };
 
-struct Model {
+// How exactly places are told. Both follow from the blocks, and are set by finish_model.
+struct PrecisionOfPlaces {
+  double length_tolerance = 0;  // m: points closer than this touch
+  Vec2 origin = Vec2::Zero();   // as drawn: from here local places count (state.h)
+};
+
+struct Model : PrecisionOfPlaces {
   std::string title;
   std::vector<Material> materials;
   std::vector<JointMaterial> joints;                       // joints[0] is the default
@@ -164,7 +170,6 @@ struct Model {
   std::vector<Measurement> measurements;
   std::vector<Stage> stages;
   Expected expected;
-  double length_tolerance = 0;            // m: points closer than this touch; set by finish_model
   std::optional<PeakRequest> peaks = {};  // what is asked about the strongest motion
 
   [[nodiscard]] const Material& material_of(int block) const;
@@ -192,9 +197,9 @@ struct Model {
 bool changes_materials(const Model& model);
 bool changes_joints(const Model& model);
 
-// Fills what follows from the rest (area moments, length tolerance = 1e-9 of the extent, expected pressure) and checks
-// the whole: throws InputError naming field, value and what was expected (indices in range, positive density, valid
-// polygons, ...).
+// Fills what follows from the rest (area moments, length tolerance = 1e-9 of the extent, origin of local places,
+// expected pressure) and checks the whole: throws InputError naming field, value and what was expected (indices in
+// range, positive density, valid polygons, ...).
 void finish_model(Model& model);
 
 }  // namespace dda

@@ -27,6 +27,14 @@ State initial_state(const Model& model) {
   return state;
 }
 
+Vec2 local_centroid(const Model& model, const State& state, int block) {
+  return local_place(model, model.blocks[at(block)].moments.centroid) + state.displacement[at(block)].head<2>();
+}
+
+Vec2 local_position(const Model& model, const State& state, int block, const Vec2& reference) {
+  return local_place(model, reference) + point_displacement(model, state, block, reference);
+}
+
 Vec2 current_centroid(const Model& model, const State& state, int block) {
   return model.blocks[at(block)].moments.centroid + state.displacement[at(block)].head<2>();
 }

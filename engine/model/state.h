@@ -38,12 +38,22 @@ void visit_memory(AnyState& state, const Visitor& visit) {
 
 State initial_state(const Model& model);
 
-Vec2 current_centroid(const Model& model, const State& state, int block);
+// Local places count from Model::origin. What is computed of where blocks are now - gaps, arms, boxes - is computed of
+// these: in coordinates of the drawing a scene that lies far from their origin would know its places to fewer digits
+// than its springs answer to (ADR 102).
+inline Vec2 local_place(const Model& model, const Vec2& drawn) { return drawn - model.origin; }
 
-// Current position, displacement since the start and velocity of the material point that was at `reference`. The
-// displacement keeps its precision far from the origin.
-Vec2 point_displacement(const Model& model, const State& state, int block, const Vec2& reference);
+// Where the centroid of a block, and its material point that was at `reference`, are now.
+Vec2 local_centroid(const Model& model, const State& state, int block);
+Vec2 local_position(const Model& model, const State& state, int block, const Vec2& reference);
+
+// The same in coordinates of the drawing, for files, messages and what is told to 1e-3 of a block.
+Vec2 current_centroid(const Model& model, const State& state, int block);
 Vec2 current_position(const Model& model, const State& state, int block, const Vec2& reference);
+
+// Displacement since the start and velocity of the material point that was at `reference`. The displacement keeps its
+// precision far from the origin.
+Vec2 point_displacement(const Model& model, const State& state, int block, const Vec2& reference);
 Vec2 point_velocity(const Model& model, const State& state, int block, const Vec2& reference);
 
 }  // namespace dda

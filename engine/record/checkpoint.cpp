@@ -19,7 +19,7 @@ namespace {
 // The file: this header, the state, the extra bytes, and the FNV-1a hash of all that.
 struct Header {
   std::array<char, 8> magic{'D', 'D', 'A', 'S', 'T', 'A', 'T', 'E'};
-  std::uint32_t version = 1;
+  std::uint32_t version = 2;  // outlines are in local places since this one (ADR 102)
   std::uint32_t byte_order = 0x01020304;
   std::uint64_t scene = 0;       // fingerprint of the model
   std::uint64_t file_bytes = 0;  // of the whole file

@@ -131,7 +131,7 @@ TEST_F(CheckpointFile, OfAnotherKind) {
 }
 
 TEST_F(CheckpointFile, OfAnotherVersionOrByteOrder) {
-  EXPECT_EQ(refusal_of([](std::string& bytes) { bytes[8] = 2; }), is("of version 2, expected version 1"));
+  EXPECT_EQ(refusal_of([](std::string& bytes) { bytes[8] = 1; }), is("of version 1, expected version 2"));
   EXPECT_EQ(refusal_of([](std::string& bytes) { std::swap(bytes[12], bytes[15]); }),
             is("of a machine with another byte order, expected one of this machine's"));
 }

@@ -77,10 +77,10 @@ void update_geometry(const Model& model, const State& state, std::size_t stage, 
   for (auto& [block, matrix] : damping) matrix.setZero();
   for (const ViscousEdge& edge : model.viscous_edges) {
     if (static_cast<std::size_t>(edge.first_stage) > stage) continue;
-    const Vec2 centroid = current_centroid(model, state, edge.block);
+    const Vec2 centroid = local_centroid(model, state, edge.block);
     find_block(edge.block, damping)->second += viscous_damping(
-        current_position(model, state, edge.block, edge.from) - centroid,
-        current_position(model, state, edge.block, edge.to) - centroid, edge.normal_impedance, edge.shear_impedance);
+        local_position(model, state, edge.block, edge.from) - centroid,
+        local_position(model, state, edge.block, edge.to) - centroid, edge.normal_impedance, edge.shear_impedance);
   }
 }
 

@@ -55,7 +55,7 @@ void measure(const Model& model, const State& state, const Bolt& bolt, const Bol
 // Rows where the blocks are in `acting`.
 void place(const Model& model, const State& acting, const Bolt& bolt, const BoltLink& drawn, LinkElement& link) {
   const auto arm = [&](int block, const Vec2& point) -> Vec2 {
-    return current_position(model, acting, block, point) - current_centroid(model, acting, block);
+    return local_position(model, acting, block, point) - local_centroid(model, acting, block);
   };
   link.rows = bolt_rows(direction_in(model, acting, bolt, drawn), arm(drawn.block_a, drawn.point_a),
                         arm(drawn.block_b, drawn.point_b));

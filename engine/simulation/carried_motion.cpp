@@ -89,7 +89,7 @@ class Carriers {
     bool has_any_ = false, is_one_ = true;
   };
 
-  [[nodiscard]] Vec2 centroid_of(int block) const { return current_centroid(system_.model, system_.state, block); }
+  [[nodiscard]] Vec2 centroid_of(int block) const { return local_centroid(system_.model, system_.state, block); }
 
   [[nodiscard]] RigidMotion motion_of(int held) const {
     const Vec6& increments = system_.held.increments[at(system_.held.place[at(held)])];

@@ -62,7 +62,7 @@ void ExternalForces::weigh(const Model& model, const std::vector<bool>& absent) 
 
 void ExternalForces::update_geometry(const Model& model, const State& state) {
   const auto offset = [&](int block, const Vec2& point) -> Vec2 {
-    return current_position(model, state, block, point) - current_centroid(model, state, block);
+    return local_position(model, state, block, point) - local_centroid(model, state, block);
   };
   std::size_t next = 0;
   for (const PointLoad& load : model.point_loads)

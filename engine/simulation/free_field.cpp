@@ -148,7 +148,7 @@ void FreeField::update_geometry(const Model& model, const State& state, std::siz
 void FreeField::place(const Model& model, const State& state, const ViscousEdge& edge, double outward,
                       Contact& contact) {
   const auto offset = [](const Model& own, const State& now, int block, const Vec2& point) -> Vec2 {
-    return current_position(own, now, block, point) - current_centroid(own, now, block);
+    return local_position(own, now, block, point) - local_centroid(own, now, block);
   };
   const Vec2 from = offset(model, state, edge.block, edge.from);
   const Vec2 to = offset(model, state, edge.block, edge.to);

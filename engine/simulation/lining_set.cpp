@@ -25,7 +25,7 @@ Vec2 change_of_chord(const Model& model, const State& state, const LiningNode& a
 }
 
 LiningGrip grip_in(const Model& model, const State& state, const LiningNode& node) {
-  return {current_position(model, state, node.block, node.point) - current_centroid(model, state, node.block),
+  return {local_position(model, state, node.block, node.point) - local_centroid(model, state, node.block),
           (deformation_of(state, node.block) * node.tangent).normalized()};
 }
 

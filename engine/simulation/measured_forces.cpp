@@ -22,9 +22,10 @@ bool contains(const std::vector<int>& ascending, int value) {
 
 // `force` is conjugate to the translation of a block and to its turn about its centroid.
 ForceAndMoment moved_to(const Vec2& about, const BlockSystem& system, int block, const Vec3& force) {
-  const Vec2 centroid = system.geometry_moves() ? current_centroid(system.model, system.state, block)
-                                                : system.model.blocks[at(block)].moments.centroid;
-  return force + Vec3(0, 0, cross(centroid - about, force.head<2>()));
+  const Model& model = system.model;
+  const Vec2 centroid = system.geometry_moves() ? local_centroid(model, system.state, block)
+                                                : local_place(model, model.blocks[at(block)].moments.centroid);
+  return force + Vec3(0, 0, cross(centroid - local_place(model, about), force.head<2>()));
 }
 
 // s, of the material damping in force: springs with the stiffness K resist velocities v with this times K v.

@@ -25,7 +25,7 @@ class Widest {
   void look(const Place& a, const Place& b) {
     if (a.block == b.block) return;
     const auto now = [&](const Place& place) {
-      return current_position(system_.model, system_.state, place.block, place.drawn);
+      return local_position(system_.model, system_.state, place.block, place.drawn);
     };
     const auto size = [&](const Place& place) {
       return std::sqrt(system_.model.blocks[static_cast<std::size_t>(place.block)].moments.area);

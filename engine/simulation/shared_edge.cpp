@@ -26,9 +26,9 @@ void visit_edges(const Polygon& shape, Visit visit) {
 // An edge where it is now, with its outward normal.
 struct Line {
   Line(const Model& model, const State& state, int block, const Segment& drawn)
-      : start(current_position(model, state, block, drawn.start)),
-        length((current_position(model, state, block, drawn.end) - start).norm()),
-        along((current_position(model, state, block, drawn.end) - start) / length),
+      : start(local_position(model, state, block, drawn.start)),
+        length((local_position(model, state, block, drawn.end) - start).norm()),
+        along((local_position(model, state, block, drawn.end) - start) / length),
         normal(along.y(), -along.x()) {}
 
   Vec2 start;
@@ -72,8 +72,7 @@ struct Placed {
 };
 
 Placed placed_now(const Model& model, const State& state, const Interface& interface) {
-  if (interface.length == 0)
-    return {current_position(model, state, interface.block_b, interface.from), interface.normal};
+  if (interface.length == 0) return {local_position(model, state, interface.block_b, interface.from), interface.normal};
   const InterfaceFrame frame = current_frame(model, state, interface);
   return {(frame.from_a + frame.to_a) / 2, frame.normal};
 }

@@ -107,7 +107,8 @@ double depth_by_strain(const BlockSystem& s, const SharedGround& shared, double 
   const Eigen::VectorXd nothing_more = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(6 * s.model.blocks.size()));
   double by_strain = 0;
   for (const int block : {shared.block_a, shared.block_b})
-    by_strain += strain_jump_at(block, shared.place, near, s.model, s.state, s.contacts, nothing_more);
+    by_strain +=
+        strain_jump_at(block, local_place(s.model, shared.place), near, s.model, s.state, s.contacts, nothing_more);
   return by_strain;
 }
 

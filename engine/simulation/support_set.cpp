@@ -58,12 +58,12 @@ std::vector<SupportElement> make_supports(const Model& model, const State& state
 void update_geometry(const Model& model, const State& state, std::vector<SupportElement>& supports) {
   for (std::size_t i = 0; i < supports.size(); ++i) {
     const int block = supports[i].block;
-    const Vec2 centroid = current_centroid(model, state, block);
-    supports[i].offset = current_position(model, state, block, model.supports[i].point) - centroid;
+    const Vec2 centroid = local_centroid(model, state, block);
+    supports[i].offset = local_position(model, state, block, model.supports[i].point) - centroid;
     supports[i].rows = displacement_rows(supports[i].offset);
     const PointSupport& prescription = model.supports[i];
     if (!prescription.partner) continue;
-    supports[i].rows -= displacement_rows(current_position(model, state, block, *prescription.partner) - centroid);
+    supports[i].rows -= displacement_rows(local_position(model, state, block, *prescription.partner) - centroid);
     if (const auto sides = tied_sides(model, prescription))
       supports[i].rows.rightCols<3>() +=
           gap_by_stress(*sides, prescription) * elasticity_matrix(model.material_of(block));
@@ -90,10 +90,9 @@ void foresee_gaps(const Model& model, const State& state, const std::vector<Vec6
     const auto b = static_cast<std::size_t>(block);
     Vec6 increments = Vec6::Zero();
     if (!believed[b].isZero(0)) increments = dt * state.velocity[b];
-    const Vec2 centroid = current_centroid(model, state, block);
+    const Vec2 centroid = local_centroid(model, state, block);
     const auto missed = [&](const Vec2& point) {
-      return missed_by_rows(increments, acts_at * increments(2),
-                            current_position(model, state, block, point) - centroid);
+      return missed_by_rows(increments, acts_at * increments(2), local_position(model, state, block, point) - centroid);
     };
     supports[i].foreseen = missed(model.supports[i].point);
     if (const auto& partner = model.supports[i].partner)

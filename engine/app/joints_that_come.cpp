@@ -8,21 +8,13 @@
 #include <vector>
 
 #include "engine/contact/contact_set.h"
-#include "engine/contact/joint_of.h"
 #include "engine/contact/make_contacts.h"
-#include "engine/contact/projected_stretch.h"
 #include "engine/model/law_name.h"
 
 namespace dda {
 namespace {
 
 std::size_t at(int index) { return static_cast<std::size_t>(index); }
-
-// Where blocks move a projected joint needs that they can touch nowhere else, as one that is drawn from the start does.
-InterfaceLaw law_there(const Model& model, const Interface& interface, InterfaceLaw drawn, bool moves) {
-  if (!moves || drawn != InterfaceLaw::projected || !is_dry(joint_of(model, interface))) return drawn;
-  return touch_there_alone(model, interface) ? drawn : InterfaceLaw::classical;
-}
 
 }  // namespace
 
@@ -31,13 +23,12 @@ std::string joints_that_come(const Model& model, std::size_t stage) {
   const std::vector<bool> absent = model.absent_in(stage);
   std::vector<bool> comes(model.blocks.size(), false);
   for (const int block : model.stages[stage].rock.added) comes[at(block)] = true;
-  const bool moves = model.stages[stage].kinematics == Kinematics::finite;
   std::map<std::pair<int, InterfaceLaw>, std::size_t> groups;
   for (std::size_t i = 0; i < drawn.interfaces.size(); ++i) {
     const Interface& each = drawn.interfaces[i];
     if (absent[at(each.block_a)] || absent[at(each.block_b)]) continue;
     if (!comes[at(each.block_a)] && !comes[at(each.block_b)]) continue;
-    ++groups[{each.joint, law_there(model, each, drawn.elements.but_for_blocks(i).law, moves)}];
+    ++groups[{each.joint, drawn.elements.but_for_blocks(i).law}];
   }
   std::vector<std::string> parts;
   for (const auto& [group, number] : groups)

@@ -14,6 +14,7 @@
 #include "engine/core/error.h"
 #include "engine/model/quantity_names.h"
 #include "engine/scene/places.h"
+#include "engine/scene/rock_values.h"
 
 namespace dda {
 namespace {
@@ -229,8 +230,7 @@ void MeasuredPlaces::place_between(const Field& field, Measurement& measurement)
 // All joints, one of them, or those along a line, judged by their own strengths or by one that is given.
 void MeasuredPlaces::place_along_joints(const Field& field, Measurement& measurement) const {
   if (const auto joint = field.find("joint")) measurement.joint = joint->choice(joints_);
-  if (const auto angle = field.find("friction_angle"))
-    measurement.friction_angle = angle->not_negative(Dimension::angle);
+  if (const auto angle = field.find("friction_angle")) measurement.friction_angle = read_friction_angle(*angle);
   if (const auto cohesion = field.find("cohesion")) measurement.cohesion = cohesion->not_negative(Dimension::stress);
   const auto along = field.find("line");
   measurement.on_line = along.has_value();

@@ -9,6 +9,7 @@
 #include "engine/scene/block_group.h"
 #include "engine/scene/cut_remarks.h"
 #include "engine/scene/read_rock.h"
+#include "engine/scene/rock_values.h"
 #include "engine/scene/sections.h"
 
 namespace dda {
@@ -59,7 +60,7 @@ void read_rings(const Field& field, Model& model) {
   spec.centre = value_or(field, "centre", spec.centre, [](const Field& f) { return f.vector(Dimension::length); });
   for (const Field& radius : field.at("radii").items()) spec.radii.push_back(radius.positive(Dimension::length));
   spec.sectors = field.at("sectors").whole_number();
-  spec.first_corner = value_or(field, "first_corner", 0.0, [](const Field& f) { return f.quantity(Dimension::angle); });
+  spec.first_corner = value_or(field, "first_corner", 0.0, read_direction);
   append_at(field, [&] { append_rings(model, spec); });
 }
 

@@ -2,8 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "engine/scene/block_group.h"
 #include "engine/scene/places.h"
+#include "engine/scene/rock_values.h"
 
 namespace dda {
 namespace {
@@ -14,27 +18,51 @@ Spread read_spread(const Field& field) {
   return spreads[field.choice({"normal", "uniform", "exponential", "lognormal", "fisher"})];
 }
 
-RandomQuantity read_random(const Field& field, Dimension dimension) {
+// `read` gives what a mean and a deviation may be.
+template <typename Read>
+RandomQuantity read_random(const Field& field, Read read) {
   RandomQuantity quantity;
   if (!field.is_object()) {
-    quantity.mean = field.quantity(dimension);
+    quantity.mean = read(field);
     return quantity;
   }
-  quantity.mean = field.at("mean").quantity(dimension);
+  quantity.mean = read(field.at("mean"));
   quantity.spread = value_or(field, "distribution", Spread::normal, read_spread);
   const bool has_deviation = quantity.spread != Spread::exponential && quantity.spread != Spread::fisher;
-  if (has_deviation) quantity.deviation = field.at("deviation").not_negative(dimension);
+  if (has_deviation) {
+    quantity.deviation = read(field.at("deviation"));
+    if (quantity.deviation < 0) field.at("deviation").fail("zero or more");
+  }
   if (quantity.spread == Spread::fisher)
     quantity.concentration = field.at("concentration").not_negative(Dimension::dimensionless);
   return quantity;
 }
 
+// The mean of what is left of a normal or uniform distribution where only values above 0 count.
+double mean_above_zero(const RandomQuantity& quantity) {
+  if (quantity.spread == Spread::uniform) return (quantity.mean + quantity.deviation) / 2;
+  const double share = quantity.mean / quantity.deviation;
+  const double density = std::exp(-share * share / 2) / std::sqrt(2 * std::numbers::pi);
+  return quantity.mean + quantity.deviation * density / (std::erfc(-share / std::numbers::sqrt2) / 2);
+}
+
+// Draws of 0 and less are drawn anew, which of such a spread leaves nothing like its mean.
+void refuse_wide_spread(const Field& field, const RandomQuantity& quantity) {
+  const bool is_cut_off = quantity.spread == Spread::normal || quantity.spread == Spread::uniform;
+  if (!is_cut_off || quantity.deviation <= quantity.mean) return;
+  field.at("deviation")
+      .fail(fmt::format("at most the mean: what is drawn and not above 0 is drawn again, so that the mean would be "
+                        "{:.3g} in place of {:.3g}; \"lognormal\" keeps its mean",
+                        mean_above_zero(quantity), quantity.mean));
+}
+
 RandomQuantity read_positive_random(const Field& field, Dimension dimension) {
-  const RandomQuantity quantity = read_random(field, dimension);
+  const RandomQuantity quantity = read_random(field, [&](const Field& f) { return f.quantity(dimension); });
   const Field mean = field.is_object() ? field.at("mean") : field;
   if (!(quantity.mean > 0)) mean.fail(fmt::format("a {} above 0", to_string(dimension)));
   if (quantity.spread == Spread::fisher)
     field.at("distribution").fail("a distribution of lengths; fisher is one of angles");
+  refuse_wide_spread(field, quantity);
   return quantity;
 }
 
@@ -67,7 +95,7 @@ JointSet read_joint_set(const Field& field, std::size_t number, const Model& mod
   set.origin = field.path();
   set.name = value_or(field, "name", fmt::format("set {}", number), [](const Field& f) { return f.name(); });
   set.joint = model.joints[static_cast<std::size_t>(read_joint_reference(field.at("joint"), model))].name;
-  set.dip = read_random(field.at("dip"), Dimension::angle);
+  set.dip = read_random(field.at("dip"), read_direction);
   set.spacing = read_positive_random(field.at("spacing"), Dimension::length);
   read_traces(field, set);
   if (const auto start = field.find("start")) set.start = start->vector(Dimension::length);

@@ -17,6 +17,7 @@
 #include "engine/scene/read_fills.h"
 #include "engine/scene/read_joint_sets.h"
 #include "engine/scene/read_openings.h"
+#include "engine/scene/rock_values.h"
 
 namespace dda {
 namespace {
@@ -125,7 +126,7 @@ CutOptions read_options(const Field& field) {
   if (const auto merge = field.find("merge")) {
     options.least_area =
         value_or(*merge, "area", 0.0, [](const Field& f) { return f.positive(Dimension::dimensionless); });
-    options.least_angle = value_or(*merge, "angle", 0.0, [](const Field& f) { return f.positive(Dimension::angle); });
+    options.least_angle = value_or(*merge, "angle", 0.0, read_corner);
   }
   return options;
 }

@@ -9,6 +9,7 @@
 #include "engine/model/held_flags.h"
 #include "engine/model/held_motion.h"
 #include "engine/scene/places.h"
+#include "engine/scene/rock_values.h"
 #include "engine/scene/row_end.h"
 #include "engine/scene/sections.h"
 
@@ -180,7 +181,7 @@ void read_turn(const Field& field, RecordFiles& records, HeldBlock& held) {
   const bool is_spin = field.has("spin");
   const Dimension dimension = is_spin ? Dimension::angular_velocity : Dimension::angle;
   held.kind = is_spin ? MotionKind::velocity : MotionKind::displacement;
-  held.turn = field.at(is_spin ? "spin" : "rotation").quantity(dimension);
+  held.turn = is_spin ? field.at("spin").quantity(dimension) : read_angle_of_turn(field.at("rotation"));
   if (alone) held.history = read_history(field, dimension, records);
 }
 

@@ -1,6 +1,10 @@
 #include "engine/scene/rock_values.h"
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <numbers>
+#include <string>
 
 namespace dda {
 
@@ -13,11 +17,44 @@ double read_poisson(const Field& field, PlaneState plane) {
   return poisson;
 }
 
+namespace {
+
+// Whoever writes a number may have meant degrees.
+[[noreturn]] void fail_as_angle(const Field& field, const std::string& expected, const char* example) {
+  if (field.is_text()) field.fail(expected);
+  field.fail(fmt::format("{}; without a unit it is in radians, for degrees write \"{}\"", expected, example));
+}
+
+void require_acute(const Field& field, double angle, const char* example) {
+  if (!(angle < std::numbers::pi / 2)) fail_as_angle(field, "an angle below 90 deg", example);
+}
+
+}  // namespace
+
 double read_friction_angle(const Field& field) {
   const double angle = field.not_negative(Dimension::angle);
-  if (angle < std::numbers::pi / 2) return angle;
-  field.fail(field.is_text() ? "an angle below 90 deg"
-                             : "an angle below 90 deg; without a unit it is in radians, for degrees write \"35 deg\"");
+  require_acute(field, angle, "35 deg");
+  return angle;
+}
+
+double read_corner(const Field& field) {
+  const double angle = field.positive(Dimension::angle);
+  require_acute(field, angle, "5 deg");
+  return angle;
+}
+
+double read_direction(const Field& field) {
+  const double angle = field.quantity(Dimension::angle);
+  if (std::abs(angle) > 2 * std::numbers::pi)
+    fail_as_angle(field, "an angle of at most a full turn, 360 deg", "60 deg");
+  return angle;
+}
+
+double read_angle_of_turn(const Field& field) {
+  const double angle = field.quantity(Dimension::angle);
+  if (!field.is_text() && std::abs(angle) > 2 * std::numbers::pi)
+    fail_as_angle(field, "an angle of at most a full turn, or one with its unit", "60 deg");
+  return angle;
 }
 
 }  // namespace dda

@@ -2,9 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
+#include <string>
 #include <tuple>
+#include <utility>
 #include <variant>
+#include <vector>
 
 #include "engine/advice/block_named.h"
 #include "engine/advice/history_span.h"
@@ -27,12 +31,24 @@ bool is_idle(const TimeFunction& history, const HistorySpan& changes, const Hist
   return !meets && evaluate(history, acts.from) == 0 && evaluate(history, acts.to) == 0;
 }
 
+bool all_zero(const std::vector<double>& values) {
+  return std::ranges::all_of(values, [](double value) { return value == 0; });
+}
+
+// A table or a recording may have nothing but zeros.
+bool is_nothing(const TimeFunction& history) {
+  if (const auto* table = std::get_if<PiecewiseLinear>(&history)) return all_zero(table->values);
+  if (const auto* recorded = std::get_if<Recorded>(&history)) return all_zero(recorded->recording->values());
+  return false;
+}
+
 class Findings {
  public:
   explicit Findings(const Model& model) : model_(model) {}
 
   void look_at(const char* what, int block, const TimeFunction& history, const StageSpan& stages) {
     const HistorySpan acts = time_of(stages, model_), changes = changing(history);
+    if (is_nothing(history)) return say_nothing(what, block, history);
     if (!is_idle(history, changes, acts)) return;
     if (!said_.insert({changes.from, changes.to, acts.from, acts.to}).second) return;
     remarks_.push_back(fmt::format(
@@ -43,7 +59,15 @@ class Findings {
   [[nodiscard]] std::vector<std::string> take() { return std::move(remarks_); }
 
  private:
+  // Once for all with a history in the same words: an edge has many blocks.
+  void say_nothing(const char* what, int block, const TimeFunction& history) {
+    if (!nothings_.insert(what + words_for(history)).second) return;
+    remarks_.push_back(fmt::format("the {} of {}, {}, does nothing: it is zero all the time", what,
+                                   block_named(model_, block), words_for(history)));
+  }
+
   const Model& model_;
+  std::set<std::string> nothings_;
   std::set<std::tuple<double, double, double, double>> said_;
   std::vector<std::string> remarks_;
 };

@@ -3,6 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
 
 namespace dda {
 namespace {
@@ -46,6 +50,25 @@ TEST(IdleLoads, NothingOfWhatActs) {
         TimeFunction{PiecewiseLinear{{0, 1}, {0, 1}}}, TimeFunction{PiecewiseLinear{{0, 1, 200}, {0, 0, 1}}},
         TimeFunction{ExponentialDecay{0.5, 0.1, 100}}})
     EXPECT_TRUE(idle_loads(pushed(history)).empty());
+}
+
+// Tables and recordings of zeros by lot, beside the same with one value that is not.
+TEST(IdleLoads, HistoriesThatAreZeroAllTheTime) {
+  std::mt19937 random(8);
+  for (int i = 0; i < 30; ++i) {
+    const auto points = std::uniform_int_distribution<std::size_t>(2, 40)(random);
+    std::vector<double> times(points), values(points, 0.0);
+    for (std::size_t k = 0; k < points; ++k) times[k] = 5.0 * static_cast<double>(k);
+    const auto history = [&]() -> TimeFunction {
+      if (i % 2 == 0) return PiecewiseLinear{times, values};
+      return Recorded{std::make_shared<Recording>("r.csv", times, values), 100};
+    };
+    const std::vector<std::string> remarks = idle_loads(pushed(history()));
+    ASSERT_EQ(remarks.size(), 1U);
+    EXPECT_NE(remarks[0].find("does nothing: it is zero all the time"), std::string::npos) << remarks[0];
+    values.assign(points, 1e-6);
+    EXPECT_TRUE(idle_loads(pushed(history())).empty());
+  }
 }
 
 TEST(IdleLoads, OnceForAllBlocksOfAnEdge) {

@@ -7,6 +7,7 @@
 
 #include "engine/advice/block_named.h"
 #include "engine/core/principal_stress.h"
+#include "engine/geometry/box.h"
 
 namespace dda {
 namespace {
@@ -20,6 +21,9 @@ constexpr double lightest = 10;           // kg/m3: below foam; 2.65 is a densit
 constexpr double heaviest = 25'000;       // kg/m3: above all metals
 constexpr double strongest_gravity = 50;  // m/s2: five times the Earth's
 constexpr double largest_strain = 0.05;   // of in-situ stress and loads; rock breaks at a tenth of that
+constexpr double least_stress = 1e3;      // Pa: 4 cm of rock
+constexpr double most_for_weight = 10;    // how often less than the weight of the drawn rock that is odd
+constexpr double thinnest = 100;          // Pa/m: a hundredth of water
 constexpr double most_unequal = 30;       // in-situ stresses across each other; near the surface some have 5
 
 void remark_on_gravity(const Model& model, Remarks& remarks) {
@@ -71,6 +75,39 @@ void remark_on_unequal_stress(const Model& model, Remarks& remarks) {
       -largest_principal(first.initial_stress)));
 }
 
+// A stress in kPa or MPa that lost its unit: at the surface there is little of it too, but deep rock has its weight.
+void remark_on_little_stress(const Model& model, Remarks& remarks) {
+  double most = 0, weight = 0;
+  Box box;
+  for (const Block& block : model.blocks) {
+    most = std::max(most, block.initial_stress.cwiseAbs().maxCoeff());
+    weight = std::max(weight, model.materials[static_cast<std::size_t>(block.material)].density * model.gravity.norm());
+    for (const Vec2& corner : block.shape.outer) box = expanded(box, corner);
+  }
+  if (most == 0 || most >= least_stress) return;
+  const double of_height = weight * (box.upper.y() - box.lower.y());
+  if (of_height < most_for_weight * most) return;
+  remarks.push_back(
+      fmt::format("blocks start under {:.3g} Pa at most, and the weight of the rock that is drawn makes {:.2g} Pa: "
+                  "without a unit stresses are in Pa, rock has some kPa or MPa",
+                  most, of_height));
+}
+
+// A pressure that grows by far less in a metre than that of water.
+void remark_on_gradients(const Model& model, Remarks& remarks) {
+  const auto gradient = [](const EdgeLoad& load) {
+    const double fall = std::abs(load.to.y() - load.from.y());
+    return fall > 0 ? 2 * load.rise.norm() / fall : 0;
+  };
+  const auto is_thin = [&](const EdgeLoad& load) { return gradient(load) > 0 && gradient(load) < thinnest; };
+  const auto first = std::ranges::find_if(model.edge_loads, is_thin);
+  if (first == model.edge_loads.end()) return;
+  remarks.push_back(
+      fmt::format("the pressure on {} grows by {:.3g} Pa in a metre of depth; water has 9810 Pa/m: without a unit a "
+                  "gradient is in Pa/m, for water write \"9.81 kPa/m\"",
+                  block_named(model, first->block), gradient(*first)));
+}
+
 // A traction in Pa that was meant in another unit. Histories are factors of about one.
 void remark_on_tractions(const Model& model, Remarks& remarks) {
   const auto strain = [&](const EdgeLoad& load) { return load.traction.norm() / model.material_of(load.block).young; };
@@ -101,7 +138,7 @@ void remark_on_materials(const Model& model, Remarks& remarks) {
 std::vector<std::string> magnitude_remarks(const Model& model) {
   Remarks remarks;
   for (const auto& remark : {remark_on_gravity, remark_on_tension, remark_on_strain, remark_on_unequal_stress,
-                             remark_on_tractions, remark_on_materials})
+                             remark_on_little_stress, remark_on_tractions, remark_on_gradients, remark_on_materials})
     remark(model, remarks);
   return remarks;
 }

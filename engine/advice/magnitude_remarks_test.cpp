@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+#include <string>
+#include <vector>
+
 namespace dda {
 namespace {
 
@@ -66,6 +70,43 @@ TEST(MagnitudeRemarks, StressInOneDirectionIsASample) {
   Model model = ordinary();
   model.blocks[0].initial_stress = {0, -10e6, 0};
   EXPECT_TRUE(magnitude_remarks(model).empty());
+}
+
+// Rock from 20 to 100 m high, whose stresses by lot are right in kPa and MPa, and of nothing in Pa.
+TEST(MagnitudeRemarks, StressesThatLostTheirUnit) {
+  std::mt19937 random(3);
+  for (int i = 0; i < 40; ++i) {
+    Model model = ordinary();
+    const double height = std::uniform_real_distribution(20.0, 100.0)(random);
+    const double stress = std::uniform_real_distribution(20.0, 900.0)(random);
+    for (Block& block : model.blocks) {
+      block.shape.outer = {{0, 0}, {10, 0}, {10, height}, {0, height}};
+      block.initial_stress = {-1.5 * stress / 2, -stress, 0};
+    }
+    EXPECT_NE(only_remark(model).find("without a unit stresses are in Pa"), std::string::npos) << only_remark(model);
+    for (Block& block : model.blocks) block.initial_stress *= 1e3;
+    EXPECT_TRUE(magnitude_remarks(model).empty());
+  }
+}
+
+TEST(MagnitudeRemarks, WaterThatLostItsUnit) {
+  std::mt19937 random(5);
+  for (int i = 0; i < 40; ++i) {
+    Model model = ordinary();
+    const double depth = std::uniform_real_distribution(0.5, 20.0)(random);
+    const auto with = [&](double gradient) {
+      EdgeLoad load;
+      load.from = {0, 0};
+      load.to = {std::uniform_real_distribution(-5.0, 5.0)(random), -depth};
+      load.traction = {gradient * depth / 2, 0};
+      load.rise = {gradient * depth / 2, 0};
+      model.edge_loads = {load};
+    };
+    with(std::uniform_real_distribution(1.0, 20.0)(random));
+    EXPECT_NE(only_remark(model).find("without a unit a gradient is in Pa/m"), std::string::npos) << only_remark(model);
+    with(std::uniform_real_distribution(1e3, 3e4)(random));
+    EXPECT_TRUE(magnitude_remarks(model).empty());
+  }
 }
 
 }  // namespace

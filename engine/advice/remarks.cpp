@@ -25,6 +25,7 @@
 #include "engine/advice/lining_remarks.h"
 #include "engine/advice/magnitude_remarks.h"
 #include "engine/advice/rebound_remarks.h"
+#include "engine/advice/repeated_loads.h"
 #include "engine/advice/shaking_remarks.h"
 #include "engine/advice/spin_remarks.h"
 #include "engine/advice/springs_around_openings.h"
@@ -222,14 +223,31 @@ void remark(const Model& model, const ContactSet& contacts, Remarks& remarks) {
   std::ranges::move(said, std::back_inserter(remarks));
 }
 
-constexpr auto all_remarks = {remark<holding_remarks>,       remark<magnitude_remarks>, remark_on_sizes,
-                              remark<gap_remarks>,           remark_on_steps,           remark_on_coarse_steps,
-                              remark<coarse_blocks>,         remark<unseen_loads>,      remark<idle_loads>,
-                              remark<joint_remarks>,         remark<rebound_remarks>,   remark_on_chatter,
-                              remark_on_chatter_on_slopes,   remark<bolt_remarks>,      remark<lining_remarks>,
-                              remark<acting_on_held_blocks>, remark_on_damping_rate,    remark<springs_around_openings>,
-                              remark<changed_rock_remarks>,  remark<fading_remarks>,    remark<spin_remarks>,
-                              remark<shaking_remarks>,       remark_on_lost_motion,     remark<remarks_on_odds>};
+constexpr auto all_remarks = {remark<holding_remarks>,
+                              remark<magnitude_remarks>,
+                              remark_on_sizes,
+                              remark<gap_remarks>,
+                              remark_on_steps,
+                              remark_on_coarse_steps,
+                              remark<coarse_blocks>,
+                              remark<unseen_loads>,
+                              remark<idle_loads>,
+                              remark<repeated_loads>,
+                              remark<joint_remarks>,
+                              remark<rebound_remarks>,
+                              remark_on_chatter,
+                              remark_on_chatter_on_slopes,
+                              remark<bolt_remarks>,
+                              remark<lining_remarks>,
+                              remark<acting_on_held_blocks>,
+                              remark_on_damping_rate,
+                              remark<springs_around_openings>,
+                              remark<changed_rock_remarks>,
+                              remark<fading_remarks>,
+                              remark<spin_remarks>,
+                              remark<shaking_remarks>,
+                              remark_on_lost_motion,
+                              remark<remarks_on_odds>};
 
 }  // namespace
 

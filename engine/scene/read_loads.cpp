@@ -172,6 +172,16 @@ void take_in_situ(const Field& load, const Stretch& s, const StageSpan& stages, 
   taken.loads.take(s, stages, load.path());
 }
 
+// A level surface bears nothing even where the rock below it does.
+void require_stress(const Field& traction, const std::vector<Stretch>& edge, const StressField& stresses,
+                    const Model& model) {
+  const auto has_none = [](const Block& block) { return block.initial_stress.isZero(0); };
+  const auto bears_none = [&](const Stretch& stretch) { return stresses.traction_on(stretch, model).isZero(0); };
+  if (std::ranges::all_of(edge, bears_none) && std::ranges::all_of(model.blocks, has_none))
+    traction.fail("\"in-situ\" in rock without any stress at the start, a load of nothing",
+                  "a stress_field, or initial_stress of blocks, beside it");
+}
+
 void read_edge_load(const Field& field, const GroundPlan& plan, const std::vector<std::string>& groups,
                     const StressField& stresses, RecordFiles& records, InSituEdges& taken, Model& model) {
   const StageSpan stages = read_stages_of(field, model);
@@ -189,6 +199,7 @@ void read_edge_load(const Field& field, const GroundPlan& plan, const std::vecto
   refuse(field, {"follows"}, "beside a traction or force, which keeps its direction");
   const bool in_situ = kind == "traction" && value.is_text();  // the schema knows one text
   Vec2 traction = Vec2::Zero();
+  if (in_situ) require_stress(value, stretches, stresses, model);
   if (kind == "traction" && !in_situ) traction = value.vector(Dimension::stress);
   if (kind == "force") traction = value.vector(Dimension::force) / total_length(stretches);
   for (const Stretch& s : stretches) {

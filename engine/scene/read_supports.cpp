@@ -117,6 +117,16 @@ void append_edge(PointSupport support, Hold hold, const Stretch& stretch, const 
   append_support(support, stretch.block, middle, 1, model);
 }
 
+// A motion along the face alone would move nothing.
+void require_motion_across(const Field& field, const Vec2& amplitude, const std::vector<Stretch>& edge) {
+  constexpr double tolerance = 1e-6;
+  const auto ignores = [&](const Stretch& stretch) {
+    return std::abs(amplitude.dot(stretch.inward)) <= tolerance * amplitude.norm();
+  };
+  if (!amplitude.isZero(0) && std::ranges::all_of(edge, ignores))
+    amplitude_of(field).fail("a motion across the edge, as \"hold\": \"normal\" leaves all motion along it free");
+}
+
 void read_held_points(const Field& field, const GroundPlan& plan, RecordFiles& records, Model& model) {
   refuse(field, {"rotation", "spin", "about"}, "for points and edges, which do not turn");
   PointSupport support;
@@ -135,7 +145,9 @@ void read_held_points(const Field& field, const GroundPlan& plan, RecordFiles& r
     append_support(support, block, point, 1, model);
     return;
   }
-  for (const Stretch& stretch : read_edge(field, plan, model)) append_edge(support, hold, stretch, plan, model);
+  const std::vector<Stretch> edge = read_edge(field, plan, model);
+  if (hold == Hold::normal) require_motion_across(field, support.amplitude, edge);
+  for (const Stretch& stretch : edge) append_edge(support, hold, stretch, plan, model);
 }
 
 // Whole blocks.

@@ -51,7 +51,7 @@ constexpr auto waves = R"({"dda": 1, "plane": "strain", "scheme": "accurate", "t
   "stress_field": {"xx": "-1 MPa", "surface": 30, "layers": [{"down_to": 0, "gradient": "25 kPa/m", "k0": 0.5}, {"density": 2600}]},
   "gravity": [0, "-1 g"],
   "initial_fields": [{"group": "bar", "x": [0, 4], "y": [20.5], "velocity_x": [[0, 1]], "strain_rate_xx": [[0.1, 0.2]]}],
-  "supports": [{"edge": "bottom", "hold": "normal", "acceleration": [1, 0], "history": {"table": [[0, 0], [0.01, 1], [0.02, 0]]}}],
+  "supports": [{"edge": "bottom", "hold": "normal", "acceleration": [0, 1], "history": {"table": [[0, 0], [0.01, 1], [0.02, 0]]}}],
   "viscous_boundaries": [{"edge": {"from": [0, 20], "to": [0, 21]}, "normal_speed": "bar", "carries_initial_stress": true, "ratio": 0.9}],
   "loads": [{"edge": {"from": [0, -2], "to": [3, -2]}, "traction": "in-situ"},
             {"edge": {"from": [4, 20], "to": [4, 21]}, "force": ["1 MN", 0], "history": {"triangle": {"rise": "1 ms", "fall": "2 ms"}}}],

@@ -56,7 +56,7 @@ struct BlockForces {
         self;
     archive.of_blocks(load_old, 6);
     archive.of_blocks(internal_old, 6);
-    archive(most_exchanged);  // the others are written before they are read, or zero between steps
+    archive(measured, most_exchanged);  // the others are written before they are read, or zero between steps
   }
 };
 

@@ -21,7 +21,7 @@
 namespace dda {
 namespace {
 
-constexpr std::uint64_t kind = 0x3432'4e53'4144'44ULL;  // "DDASN24", read as a little-endian number
+constexpr std::uint64_t kind = 0x3532'4e53'4144'44ULL;  // "DDASN25", read as a little-endian number
 
 // What the numbers of a snapshot can be compared with.
 template <typename AnyArchive>

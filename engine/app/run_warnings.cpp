@@ -97,6 +97,20 @@ std::string air_warning(const Simulation& simulation, const ReinforcementInAir& 
       name_of(simulation, each.block_b));
 }
 
+// Told once, of when it was seen first.
+std::string water_warning(const Simulation& simulation) {
+  const std::vector<WaterApart>& all = simulation.results().water_apart;
+  if (all.empty()) return "";
+  const WaterApart& first = all.front();
+  const std::string others = first.pairs > 1 ? fmt::format(" ({} pairs in all)", first.pairs) : "";
+  return fmt::format(
+      "warning: blocks \"{}\" and \"{}\" were {:.3g} m apart at {:.6g} s, when stage \"{}\" was over, {:.3g} % of the "
+      "smaller one{}, and the water in the joint between them still pushed them as if it were closed: let it end with "
+      "the stage before they part (\"until_stage\")",
+      name_of(simulation, first.block_a), name_of(simulation, first.block_b), first.way, first.time,
+      simulation.model().stages[static_cast<std::size_t>(first.stage)].name, 100 * first.share, others);
+}
+
 }  // namespace
 
 std::string remedy_of_depth(const Model& model, int block_a, int block_b) {
@@ -107,9 +121,9 @@ std::string remedy_of_depth(const Model& model, int block_a, int block_b) {
 }
 
 std::vector<std::string> warnings_of(const Simulation& simulation) {
-  std::vector<std::string> warnings = {penetration_warning(simulation), shared_ground_warning(simulation),
-                                       settled_in_each_other_warning(simulation), loose_warning(simulation),
-                                       balance_warning(simulation)};
+  std::vector<std::string> warnings = {
+      penetration_warning(simulation), shared_ground_warning(simulation), settled_in_each_other_warning(simulation),
+      loose_warning(simulation),       balance_warning(simulation),       water_warning(simulation)};
   for (const ReinforcementInAir& each : simulation.results().in_air) warnings.push_back(air_warning(simulation, each));
   const auto add = [&](const std::vector<std::string>& sentences) {
     for (const std::string& sentence : sentences) warnings.push_back("warning: " + sentence);

@@ -9,7 +9,7 @@
 namespace dda {
 
 // A sentence each, beginning with "warning: ": blocks deep in each other, blocks that nothing holds, bolts and linings
-// through air, loads that steps pass over, blocks whose spin pulls them.
+// through air, water in joints that are joints no more, loads that steps pass over, blocks whose spin pulls them.
 std::vector<std::string> warnings_of(const Simulation& simulation);
 
 // What to do about two blocks that are too deep in each other.

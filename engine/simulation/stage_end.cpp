@@ -66,6 +66,7 @@ void note_results(const BlockSystem& s, double in_situ_force, StageResults& resu
   append(find_blocks_out_of_balance(s, in_situ_force), results.unbalanced);
   append(excess_by_joint(s), results.excess);
   note_shared_ground(s, results);
+  if (const auto apart = water_apart(s.model, s.state, s.clock.stage)) results.water_apart.push_back(*apart);
 }
 
 std::string problem_at_end_of(std::size_t stage, const Model& model, const StageResults& ends) {

@@ -12,6 +12,7 @@
 #include "engine/simulation/reinforcement_in_air.h"
 #include "engine/simulation/shared_ground.h"
 #include "engine/simulation/unbalanced_block.h"
+#include "engine/simulation/water_apart.h"
 
 namespace dda {
 
@@ -29,6 +30,8 @@ struct StageResults {
 
   std::vector<ReinforcementInAir> in_air;  // bolts and linings that stages put in where blocks had parted
 
+  std::vector<WaterApart> water_apart;  // of stages that ended with water in joints whose blocks had left
+
   explicit StageResults(std::size_t stages = 0)
       : out_of_balance(stages, std::numeric_limits<double>::quiet_NaN()), energy(stages) {}
 
@@ -41,12 +44,13 @@ struct StageResults {
     excess = before.excess;
     shared_ground = before.shared_ground;
     in_air = before.in_air;
+    water_apart = before.water_apart;
   }
 
   template <typename Self, typename Archive>
   static void visit(Self& self, Archive& archive) {
-    auto& [out_of_balance, energy, loose, unbalanced, excess, shared_ground, in_air] = self;
-    archive(loose, unbalanced, excess, shared_ground, in_air);
+    auto& [out_of_balance, energy, loose, unbalanced, excess, shared_ground, in_air, water_apart] = self;
+    archive(loose, unbalanced, excess, shared_ground, in_air, water_apart);
     archive.each(out_of_balance);
     archive.each(energy);
   }

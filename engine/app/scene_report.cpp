@@ -10,6 +10,7 @@
 #include <iterator>
 #include <limits>
 #include <map>
+#include <string>
 #include <vector>
 
 #include "engine/advice/advice.h"
@@ -98,16 +99,21 @@ std::string strength_of(const JointMaterial& joint) {
                      joint.cohesion / 1e6, joint.tensile_strength / 1e6, after_failure(joint));
 }
 
+// A contact of a vertex is one end of a face that two springs hold, or where blocks touch in a point alone.
+std::string vertices_among(const std::vector<Interface>& interfaces) {
+  std::size_t ends = 0, points = 0;
+  for (const Interface& interface : interfaces)
+    if (interface.length == 0) ++(interface.closed > 0 ? ends : points);
+  return (ends > 0 ? fmt::format(", {} of them springs at ends of faces", ends) : "") +
+         (points > 0 ? fmt::format(", {} of them in a point", points) : "");
+}
+
 // Interfaces by joint and law: a joint's law may not be usable everywhere, e.g. where blocks touch in a point.
 void add_contacts(const Model& model, const ContactSet& contacts, Text& text) {
   std::map<std::pair<int, InterfaceLaw>, std::size_t> groups;
-  std::size_t points = 0;
-  for (std::size_t i = 0; i < contacts.interfaces.size(); ++i) {
+  for (std::size_t i = 0; i < contacts.interfaces.size(); ++i)
     ++groups[{contacts.interfaces[i].joint, contacts.elements.but_for_blocks(i).law}];
-    if (contacts.interfaces[i].length == 0) ++points;
-  }
-  text.line("contacts", "{}{}", count(contacts.interfaces.size(), "interface"),
-            points > 0 ? fmt::format(", {} of them in a point", points) : "");
+  text.line("contacts", "{}{}", count(contacts.interfaces.size(), "interface"), vertices_among(contacts.interfaces));
   for (const auto& [group, number] : groups) {
     const JointMaterial& joint = model.joints[static_cast<std::size_t>(group.first)];
     text.line("joint", "\"{}\": {} {}, {}", joint.name, number, law_name(group.second), strength_of(joint));

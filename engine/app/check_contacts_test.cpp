@@ -16,12 +16,13 @@ using nlohmann::json;
 json polygon(const char* name, const json& vertices) { return {{"polygon", {{"name", name}, {"vertices", vertices}}}}; }
 
 std::string scene_of(const json& blocks) {
-  const json scene = {{"dda", 1},
-                      {"materials", {{"rock", {{"density", 2600}, {"young", 20e9}, {"poisson", 0.2}}}}},
-                      {"joints", {{"default", {{"friction_angle", "35 deg"}}}}},
-                      {"blocks", blocks},
-                      {"fixed", {"below"}},
-                      {"steps", {{"dt", 1e-4}, {"duration", 1e-3}}}};
+  const json scene = {
+      {"dda", 1},
+      {"materials", {{"rock", {{"density", 2600}, {"young", 20e9}, {"poisson", 0.2}}}}},
+      {"joints", {{"default", {{"law", "classical"}, {"normal_stiffness", "auto"}, {"friction_angle", "35 deg"}}}}},
+      {"blocks", blocks},
+      {"fixed", {"below"}},
+      {"steps", {{"dt", 1e-4}, {"duration", 1e-3}}}};
   return scene.dump();
 }
 

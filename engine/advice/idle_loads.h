@@ -1,6 +1,5 @@
 // Loads and prescribed motions that change at times at which they do not act, as a blast at 0 s that acts from a stage
-// on which begins at 100 s: the clock of histories is that of the scene. And those
-// that are zero all the time.
+// on which begins at 100 s: the clock of histories is that of the scene. And those that are zero all the time.
 #pragma once
 
 #include <string>

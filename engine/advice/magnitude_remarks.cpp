@@ -7,7 +7,7 @@
 
 #include "engine/advice/block_named.h"
 #include "engine/core/principal_stress.h"
-#include "engine/geometry/box.h"
+#include "engine/model/extent.h"
 
 namespace dda {
 namespace {
@@ -78,13 +78,12 @@ void remark_on_unequal_stress(const Model& model, Remarks& remarks) {
 // A stress in kPa or MPa that lost its unit: at the surface there is little of it too, but deep rock has its weight.
 void remark_on_little_stress(const Model& model, Remarks& remarks) {
   double most = 0, weight = 0;
-  Box box;
   for (const Block& block : model.blocks) {
     most = std::max(most, block.initial_stress.cwiseAbs().maxCoeff());
     weight = std::max(weight, model.materials[static_cast<std::size_t>(block.material)].density * model.gravity.norm());
-    for (const Vec2& corner : block.shape.outer) box = expanded(box, corner);
   }
   if (most == 0 || most >= least_stress) return;
+  const Box box = bounding_box(model);
   const double of_height = weight * (box.upper.y() - box.lower.y());
   if (of_height < most_for_weight * most) return;
   remarks.push_back(

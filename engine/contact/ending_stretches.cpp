@@ -37,9 +37,8 @@ std::vector<char> EndingStretches::find(const Model& model, const State& state, 
   std::vector<Hold> holds(stretches);
   parallel_for_each(stretches, contacts_worth_sharing,
                     [&](std::size_t i) { holds[i] = hold_of(model, state, contacts, i, dry_ones); });
-  const bool all_stay =
-      std::ranges::all_of(holds, [](const Hold& each) { return each.firm || each.closed || each.keeps; });
-  return all_stay ? std::vector<char>(stretches, 0) : decide(contacts, holds);
+  const bool all_stay = std::ranges::all_of(holds, [](const Hold& each) { return each.firm || each.closed; });
+  return all_stay ? std::vector<char>(stretches, 0) : decide(model, contacts, holds);
 }
 
 bool EndingStretches::touch_there_alone(const Model& model, const Interface& interface) const {
@@ -55,27 +54,32 @@ EndingStretches::Hold EndingStretches::hold_of(const Model& model, const State& 
   Hold own;
   own.firm = interface.length > 0 && holds;
   if (own.firm || contacts.elements.own()[stretch].law != InterfaceLaw::projected) return own;
-  const bool apart = has_parted(model, state, interface);
-  const bool alone = touch_there_alone(model, interface);
-  own.closed = alone && !apart;
-  own.keeps = !alone && !apart;
-  own.parted = !own.closed && !own.keeps;
+  own.parted = has_parted(model, state, interface);
+  own.closed = !own.parted;
   return own;
 }
 
-std::vector<char> EndingStretches::decide(const ContactSet& contacts, const std::vector<Hold>& holds) {
+// A closed stretch of blocks that can touch elsewhere stays by itself; the others of a pair stay or end together.
+std::vector<char> EndingStretches::decide(const Model& model, const ContactSet& contacts,
+                                          const std::vector<Hold>& holds) const {
   PairsOfBlocks firm, closed, parted;
+  std::vector<char> stays_by_itself(holds.size(), 0);
   for (std::size_t i = 0; i < holds.size(); ++i) {
     const std::pair<int, int> pair = blocks_of(contacts.interfaces[i]);
     if (holds[i].firm) firm.add(pair);
-    if (holds[i].closed) closed.add(pair);
+    if (holds[i].closed) {
+      if (touch_there_alone(model, contacts.interfaces[i]))
+        closed.add(pair);
+      else
+        stays_by_itself[i] = 1;
+    }
     if (holds[i].parted) parted.add(pair);
   }
   for (PairsOfBlocks* each : {&firm, &closed, &parted}) each->sort();
   std::vector<char> ends(holds.size());
   for (std::size_t i = 0; i < ends.size(); ++i) {
     const std::pair<int, int> pair = blocks_of(contacts.interfaces[i]);
-    const bool stays = holds[i].keeps || firm.has(pair) || (closed.has(pair) && !parted.has(pair));
+    const bool stays = stays_by_itself[i] != 0 || firm.has(pair) || (closed.has(pair) && !parted.has(pair));
     ends[i] = stays ? 0 : 1;
   }
   return ends;

@@ -31,14 +31,14 @@ class EndingStretches {
   struct Hold {
     bool firm = false;    // a bond, not broken at both ends
     bool closed = false;  // of the projected law, and its blocks have not parted
-    bool keeps = false;   // the same, but the blocks can touch elsewhere: it stays by itself
-    bool parted = false;
+    bool parted = false;  // of the projected law, and they have
   };
 
   [[nodiscard]] Hold hold_of(const Model& model, const State& state, const ContactSet& contacts, std::size_t stretch,
                              bool dry_ones) const;
   [[nodiscard]] bool touch_there_alone(const Model& model, const Interface& interface) const;
-  [[nodiscard]] static std::vector<char> decide(const ContactSet& contacts, const std::vector<Hold>& holds);
+  [[nodiscard]] std::vector<char> decide(const Model& model, const ContactSet& contacts,
+                                         const std::vector<Hold>& holds) const;
 
   std::vector<char> is_convex_;  // blocks, as drawn
 };

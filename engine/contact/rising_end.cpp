@@ -258,11 +258,10 @@ std::array<double, 2> height_owed(const InterfaceSprings& springs, const EndStre
 double rise_in_step(const InterfaceSprings& springs, const EndStrength& strength, const InterfaceTrial& trial, int end,
                     double slip) {
   const auto e = static_cast<std::size_t>(end);
-  const double before = trial.slip[e], after = before + slip;
-  const double all = strength.lift(after) - strength.lift(before);
-  if (!comes_down_late(springs, strength, trial.residual[e], end)) return all;
-  const double out = before * after < 0 ? strength.lift(after) : std::max(0.0, all);
-  return out - trial.owed[e];
+  const bool is_late = comes_down_late(springs, strength, trial.residual[e], end);
+  const double side = std::copysign(1, slip);
+  const auto ridden = [&](double total) { return is_late ? std::max(side * total, 0.0) : total; };
+  return strength.lift(ridden(trial.slip[e] + slip)) - strength.lift(ridden(trial.slip[e])) - trial.owed[e];
 }
 
 void respond_riding(const InterfaceSprings& springs, const EndStrength& strength, int end, InterfaceTrial& trial) {

@@ -10,8 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/core/error.h"
-#include "engine/scene/scene.h"
+#include "engine/scene/bad_scene_test_support.h"
 
 namespace dda {
 namespace {
@@ -48,15 +47,6 @@ const std::vector<Written> directions = {
       return with_rock(R"([{"rings": {"name": "rock", "radii": [1, 2], "sectors": 8, "first_corner": )" + angle +
                        "}}]");
     }};
-
-std::string refusal(const std::string& scene) {
-  try {
-    parse_scene(scene, "lot.json");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
 
 void expect_hint(const std::string& scene) {
   EXPECT_NE(refusal(scene).find("without a unit it is in radians, for degrees write"), std::string::npos) << scene;

@@ -49,6 +49,16 @@ inline void expect_sentence(const std::string& sentence, const std::vector<std::
   EXPECT_LT(sentence.size(), 500U) << sentence;
 }
 
+// What is said of a scene; empty where it is taken.
+inline std::string refusal(const std::string& scene) {
+  try {
+    parse_scene(scene, "lot.json");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
 // Each test program part has its own table of spoiled scenes.
 inline void expect_refusal(const Spoiled& spoiled) {
   try {

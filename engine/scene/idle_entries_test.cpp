@@ -9,8 +9,7 @@
 #include <random>
 #include <string>
 
-#include "engine/core/error.h"
-#include "engine/scene/scene.h"
+#include "engine/scene/bad_scene_test_support.h"
 
 namespace dda {
 namespace {
@@ -38,15 +37,6 @@ std::string pushed(double angle, const char* motion, double along, double across
   return turned(angle, fmt::format(R"("supports": [{{"edge": {{"from": [0, 0], "to": [{:.17g}, {:.17g}]}},
  "hold": "normal", "{}": [{:.17g}, {:.17g}], {}}}],)",
                                    4 * c, 4 * s, motion, c * along - s * across, s * along + c * across, history));
-}
-
-std::string refusal(const std::string& scene) {
-  try {
-    parse_scene(scene, "lot.json");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
 }
 
 TEST(IdleEntries, MotionsAlongAFaceThatIsHeldAcross) {

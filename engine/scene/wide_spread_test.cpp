@@ -7,8 +7,7 @@
 #include <random>
 #include <string>
 
-#include "engine/core/error.h"
-#include "engine/scene/scene.h"
+#include "engine/scene/bad_scene_test_support.h"
 
 namespace dda {
 namespace {
@@ -18,19 +17,13 @@ struct Spacing {
   double mean, deviation;
 };
 
-std::string refusal(const Spacing& spacing) {
-  const std::string scene = fmt::format(
+std::string said_of(const Spacing& spacing) {
+  return refusal(fmt::format(
       R"({{"dda": 1, "materials": {{"rock": {{"density": 2600, "young": "20 GPa", "poisson": 0.25}}}},
  "joints": {{"default": {{"friction_angle": "35 deg"}}}}, "fixed": ["rock"], "blocks": {{"rock": {{
  "boundary": [[0, 0], [10, 0], [10, 10], [0, 10]], "joint_sets": [{{"joint": "default", "dip": 0,
  "spacing": {{"mean": {}, "deviation": {}, "distribution": "{}"}}}}]}}}}, "steps": {{"dt": "1 ms", "duration": "1 s"}}}})",
-      spacing.mean, spacing.deviation, spacing.distribution);
-  try {
-    parse_scene(scene, "lot.json");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+      spacing.mean, spacing.deviation, spacing.distribution));
 }
 
 double draw(const Spacing& spacing, std::mt19937& random) {
@@ -57,7 +50,7 @@ TEST(WideSpread, IsRefusedWithTheMeanThatWouldBeDrawn) {
     const double mean = std::uniform_real_distribution(1.0, 5.0)(random);
     const double deviation = mean * std::uniform_real_distribution(1.1, 12.0)(random);
     const Spacing spacing{i % 2 == 0 ? "normal" : "uniform", mean, deviation};
-    const std::string sentence = refusal(spacing);
+    const std::string sentence = said_of(spacing);
     const std::string before = "so that the mean would be ";
     ASSERT_NE(sentence.find("spacing.deviation is "), std::string::npos) << sentence;
     ASSERT_NE(sentence.find(before), std::string::npos) << sentence;
@@ -67,9 +60,9 @@ TEST(WideSpread, IsRefusedWithTheMeanThatWouldBeDrawn) {
 }
 
 TEST(WideSpread, IsDrawnWhereItHasItsMean) {
-  EXPECT_EQ(refusal({"normal", 3, 3}), "");
-  EXPECT_EQ(refusal({"uniform", 3, 3}), "");
-  EXPECT_EQ(refusal({"lognormal", 3, 9}), "");
+  EXPECT_EQ(said_of({"normal", 3, 3}), "");
+  EXPECT_EQ(said_of({"uniform", 3, 3}), "");
+  EXPECT_EQ(said_of({"lognormal", 3, 9}), "");
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "engine/contact/contact_set.h"
@@ -14,6 +13,7 @@
 #include "engine/model/held_flags.h"
 #include "engine/model/law_name.h"
 #include "engine/model/rock_change.h"
+#include "engine/model/same_history.h"
 
 namespace dda {
 namespace {
@@ -123,10 +123,7 @@ bool are_same(const Integrator& a, const Integrator& b) {
 
 bool are_same(const std::optional<TimeFunction>& a, const std::optional<TimeFunction>& b) {
   if (!a || !b) return a.has_value() == b.has_value();
-  const auto* table_a = std::get_if<PiecewiseLinear>(&*a);
-  const auto* table_b = std::get_if<PiecewiseLinear>(&*b);
-  return table_a != nullptr && table_b != nullptr && table_a->times == table_b->times &&
-         table_a->values == table_b->values;
+  return are_same(*a, *b);
 }
 
 void check(const Stage& then, const Stage& now, const std::string& field) {

@@ -88,20 +88,7 @@ std::vector<Vec2> displacements(int seed, const Stage& stage, int stages = 2) {
   Lot lot(seed);
   Model model = Opening(lot, stage).model;
   while (static_cast<int>(model.stages.size()) < stages) model.stages.push_back(stage);
-  Simulation simulation = simulation_of(model);
-  while (!simulation.finished()) EXPECT_EQ(simulation.step(), Status::ok) << "seed " << seed << simulation.message();
-  std::vector<Vec2> all;
-  for (const Vec6& each : simulation.state().displacement) all.emplace_back(each.head<2>());
-  return all;
-}
-
-void expect_alike(const std::vector<Vec2>& one, const std::vector<Vec2>& other, double share) {
-  double largest = 0, off = 0;
-  for (std::size_t i = 0; i < one.size(); ++i) {
-    largest = std::max(largest, one[i].norm());
-    off = std::max(off, (other[i] - one[i]).norm());
-  }
-  EXPECT_LE(off, share * largest);
+  return displacements_of(std::move(model));
 }
 
 // Strains are some thousandths, by which what is of second order differs. Locked corners make 10 to 60 %.

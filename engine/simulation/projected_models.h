@@ -1,8 +1,10 @@
 // For tests: walls and blocks with dry joints of the projected law.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "engine/simulation/simulation_models.h"
 
@@ -39,6 +41,27 @@ inline Model on_floor(Block block, double friction, const Stage& stage) {
   model.gravity = {0, -10};
   model.stages = {stage};
   return model;
+}
+
+// Where all blocks have gone when the run has ended, m.
+inline std::vector<Vec2> displacements_of(Model model) {
+  Simulation simulation = simulation_of(std::move(model));
+  Status status = Status::ok;
+  while (status == Status::ok && !simulation.finished()) status = simulation.step();
+  EXPECT_EQ(status, Status::ok) << simulation.message();
+  std::vector<Vec2> all;
+  for (const Vec6& each : simulation.state().displacement) all.emplace_back(each.head<2>());
+  return all;
+}
+
+// `share`: of the largest of the first ones.
+inline void expect_alike(const std::vector<Vec2>& one, const std::vector<Vec2>& other, double share) {
+  double largest = 0, off = 0;
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    largest = std::max(largest, one[i].norm());
+    off = std::max(off, (other[i] - one[i]).norm());
+  }
+  EXPECT_LE(off, share * largest);
 }
 
 }  // namespace dda

@@ -229,7 +229,7 @@ bool Simulation::is_over() {
                      nothing_prescribed_changes_until(s.end_of_stage(), s);
   if (is_balanced && goes_far_for_its_geometry(s) && general_->follow_geometry())
     is_balanced = out_of_balance() <= asked;
-  if (is_balanced && owes_height(s)) is_balanced = false;
+  is_balanced = is_balanced && !owes_height(s);
   // Half of the steps are kept for the balance.
   if (is_balanced && is_settling() && steps < most_settling_steps / 2 && give_back_depths(s)) return false;
   const bool is_over = is_balanced || steps >= (is_settling() ? most_settling_steps : s.stage().steps());
